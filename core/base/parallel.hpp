@@ -1,0 +1,51 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace asperity {
+
+/// Loops over [0, n) in blocks of a fixed size. The blocks do not depend on the number of threads, and sums are added
+/// block by block in order, so results are bitwise the same for any number of threads.
+class ParallelLoops {
+ public:
+  static constexpr std::size_t kBlock = 1024;
+
+  explicit ParallelLoops(int threads = 1) : threads_(threads) {
+    if (threads > 1) arena_ = std::make_unique<oneapi::tbb::task_arena>(threads);
+  }
+
+  int threads() const { return threads_; }
+
+  /// body(begin, end) for every block.
+  template <class Body>
+  void for_blocks(std::size_t n, const Body& body) const {
+    const std::size_t blocks = (n + kBlock - 1) / kBlock;
+    const auto run = [&](std::size_t b) { body(b * kBlock, n < (b + 1) * kBlock ? n : (b + 1) * kBlock); };
+    if (!arena_ || blocks < 2) {
+      for (std::size_t b = 0; b < blocks; ++b) run(b);
+      return;
+    }
+    arena_->execute([&] { oneapi::tbb::parallel_for(std::size_t{0}, blocks, run); });
+  }
+
+  /// Sum of body(begin, end) over all blocks; Sum needs a default value of zero and operator+=.
+  template <class Sum, class Body>
+  Sum sum_blocks(std::size_t n, const Body& body) const {
+    std::vector<Sum> parts((n + kBlock - 1) / kBlock);
+    for_blocks(n, [&](std::size_t begin, std::size_t end) { parts[begin / kBlock] = body(begin, end); });
+    Sum total{};
+    for (const Sum& part : parts) total += part;
+    return total;
+  }
+
+ private:
+  int threads_;
+  std::unique_ptr<oneapi::tbb::task_arena> arena_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,124 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// One run, as plain data. Every member keeps the unit in its name, as its JSON key does; read_run_config fills and checks
+/// it. The JSON Schema configs/schema/run.schema.json describes every key.
+namespace asperity {
+
+enum class ExperimentType { uniaxial, triaxial, brazilian };
+enum class PlaneCondition { stress, strain };
+enum class ParticleKind { triangle, voronoi };
+enum class LoadingMode { continuous, staged };
+enum class LawReading { literal, consistent };  ///< JSON: "literal", "default".
+enum class ShearPeak { cohesion, coulomb };     ///< Eq 6's peak: c_c, or c_c + sigma_n tan(phi_c).
+enum class OpeningShearStiffness { k_t, k_s };  ///< Stiffness of the shear component while the contact is open.
+
+struct PlatenConfig {
+  double friction_coefficient = 0.0;
+  std::optional<double> stiffness_mpa_per_mm;  ///< Penalty; unset: the contact's tensile stiffness.
+};
+
+struct LoadingConfig {
+  LoadingMode mode = LoadingMode::continuous;
+  double closing_rate_mm_per_s = 100.0;  ///< Of the two platens together.
+  double ramp_time_s = 0.0;              ///< From rest to the closing rate (Brazilian); the uniaxial test starts from a linear velocity field instead.
+  double stage_displacement_mm = 0.02;   ///< Staged: closure of one stage (the paper's Sect. 3.1.2).
+  double hold_kinetic_ratio = 1e-4;      ///< Staged: a stage is over when kinetic / strain energy falls below this...
+  double hold_time_s = 2e-3;             ///< ...or after this time.
+  double confinement_time_s = 1.5e-3;    ///< Triaxial: duration of the hydrostatic stage's ramp.
+};
+
+struct StopConfig {
+  double axial_strain = 0.03;                ///< Closure over height (compression) or over diameter (disc).
+  std::optional<double> fraction_of_peak;    ///< Stop when the stress has fallen below this fraction of its peak.
+  std::optional<double> time_s;
+};
+
+struct ExperimentConfig {
+  ExperimentType type = ExperimentType::brazilian;
+  PlaneCondition plane = PlaneCondition::stress;
+  double width_mm = 54.0;       ///< Compression.
+  double height_mm = 130.0;     ///< Compression.
+  double diameter_mm = 54.0;    ///< Brazilian disc.
+  double thickness_mm = 1.0;    ///< Out of plane.
+  double confining_pressure_mpa = 0.0;  ///< Triaxial.
+  PlatenConfig platens;
+  LoadingConfig loading;
+  StopConfig stop;
+};
+
+/// The intact material's laboratory properties: input of the closed forms (Eqs 10-14).
+struct MaterialConfig {
+  double youngs_modulus_gpa = 1.3;
+  double poissons_ratio = 0.2;
+  double mode_i_toughness_mpa_sqrt_m = 0.9;
+  double mode_ii_toughness_mpa_sqrt_m = 1.1;
+  double tensile_strength_mpa = 1.6;
+  double beta = 0.25;  ///< Eq 33.
+};
+
+struct ParticleConfig {
+  ParticleKind kind = ParticleKind::triangle;
+  double edge_mm = 2.0;
+  double edge_deviation_mm = 0.2;
+  double grain_size_mm = 4.0;  ///< Voronoi: mean grain diameter.
+  std::uint64_t seed = 1;
+  double youngs_modulus_gpa = 1.3;
+  double poissons_ratio = 0.2;
+  double density_kg_per_m3 = 1200.0;
+};
+
+struct LawConfig {
+  LawReading reading = LawReading::consistent;
+  std::optional<ShearPeak> shear_peak;                         ///< Departure; unset: the reading's own.
+  std::optional<OpeningShearStiffness> opening_shear_stiffness;  ///< Departure; unset: the reading's own.
+};
+
+struct ContactConfig {
+  std::optional<double> tensile_stiffness_mpa_per_mm;  ///< k_t; unset: Eq 12 (plane stress) or 13 (plane strain).
+  std::optional<double> shear_stiffness_mpa_per_mm;    ///< k_s; unset: the same equations.
+  double tensile_strength_mpa = 6.89;                  ///< t_c
+  double cohesion_mpa = 5.02;                          ///< c_c
+  double friction_angle_deg = 36.5;                    ///< phi_c
+  std::optional<double> fracture_energy_n_per_mm;      ///< G_f; unset: K_IC^2 / E~ (Eq 34).
+  LawConfig law;
+};
+
+struct IntegrationConfig {
+  double safety_factor = 0.7;          ///< Time step over the critical step.
+  std::optional<double> time_step_s;   ///< Unset: safety_factor times the critical step.
+  double local_damping = 0.7;
+  std::optional<double> mass_scaling_time_step_s;  ///< Nodes whose own critical step is smaller are made heavier.
+};
+
+struct MeasurementConfig {
+  int samples = 1000;                 ///< Rows of curves.csv up to the stop strain; reactions are means over a sample's steps.
+  double axial_gauge_mm = 60.0;       ///< Compression: central gauge length on the specimen.
+  double lateral_gauge_mm = 20.0;     ///< Compression: height of the band at mid-height whose flank displacement is averaged.
+  double modulus_window_low = 0.2;    ///< E and nu: fractions of the peak stress.
+  double modulus_window_high = 0.5;
+  double peak_strain_limit = 0.02;    ///< Peak: largest stress up to this axial strain.
+};
+
+struct OutputConfig {
+  int frames = 24;
+  std::vector<std::string> fields{"cracks", "damage", "stress", "fragments"};
+  int width_px = 1600;
+  int height_px = 1200;
+};
+
+struct RunConfig {
+  std::string name = "run";
+  ExperimentConfig experiment;
+  MaterialConfig material;
+  ParticleConfig particles;
+  ContactConfig contacts;
+  IntegrationConfig integration;
+  MeasurementConfig measurement;
+  OutputConfig output;
+};
+
+}  // namespace asperity
