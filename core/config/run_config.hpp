@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-/// One run, as plain data. Every member keeps the unit in its name, as its JSON key does; read_run_config fills and checks
-/// it. The JSON Schema configs/schema/run.schema.json describes every key.
+/// One run, as plain data. Every member keeps the unit in its name, as its JSON key does; read_run_config fills and
+/// checks it. The JSON Schema configs/schema/run.schema.json describes every key.
 namespace asperity {
 
 enum class ExperimentType { uniaxial, triaxial, brazilian };
@@ -19,35 +19,40 @@ enum class OpeningShearStiffness { k_t, k_s };  ///< Stiffness of the shear comp
 struct PlatenConfig {
   double friction_coefficient = 0.0;
   std::optional<double> stiffness_mpa_per_mm;  ///< Penalty; unset: the contact's tensile stiffness.
+  bool operator==(const PlatenConfig&) const = default;
 };
 
 struct LoadingConfig {
   LoadingMode mode = LoadingMode::continuous;
   double closing_rate_mm_per_s = 100.0;  ///< Of the two platens together.
-  double ramp_time_s = 0.0;              ///< From rest to the closing rate (Brazilian); the uniaxial test starts from a linear velocity field instead.
-  double stage_displacement_mm = 0.02;   ///< Staged: closure of one stage (the paper's Sect. 3.1.2).
-  double hold_kinetic_ratio = 1e-4;      ///< Staged: a stage is over when kinetic / strain energy falls below this...
-  double hold_time_s = 2e-3;             ///< ...or after this time.
-  double confinement_time_s = 1.5e-3;    ///< Triaxial: duration of the hydrostatic stage's ramp.
+  double ramp_time_s = 0.0;  ///< From rest to the closing rate (Brazilian); the uniaxial test starts from a linear
+                             ///< velocity field instead.
+  double stage_displacement_mm = 0.02;  ///< Staged: closure of one stage (the paper's Sect. 3.1.2).
+  double hold_kinetic_ratio = 1e-4;     ///< Staged: a stage is over when kinetic / strain energy falls below this...
+  double hold_time_s = 2e-3;            ///< ...or after this time.
+  double confinement_time_s = 1.5e-3;   ///< Triaxial: duration of the hydrostatic stage's ramp.
+  bool operator==(const LoadingConfig&) const = default;
 };
 
 struct StopConfig {
-  double axial_strain = 0.03;                ///< Closure over height (compression) or over diameter (disc).
-  std::optional<double> fraction_of_peak;    ///< Stop when the stress has fallen below this fraction of its peak.
+  double axial_strain = 0.03;              ///< Closure over height (compression) or over diameter (disc).
+  std::optional<double> fraction_of_peak;  ///< Stop when the stress has fallen below this fraction of its peak.
   std::optional<double> time_s;
+  bool operator==(const StopConfig&) const = default;
 };
 
 struct ExperimentConfig {
   ExperimentType type = ExperimentType::brazilian;
   PlaneCondition plane = PlaneCondition::stress;
-  double width_mm = 54.0;       ///< Compression.
-  double height_mm = 130.0;     ///< Compression.
-  double diameter_mm = 54.0;    ///< Brazilian disc.
-  double thickness_mm = 1.0;    ///< Out of plane.
+  double width_mm = 54.0;               ///< Compression.
+  double height_mm = 130.0;             ///< Compression.
+  double diameter_mm = 54.0;            ///< Brazilian disc.
+  double thickness_mm = 1.0;            ///< Out of plane.
   double confining_pressure_mpa = 0.0;  ///< Triaxial.
   PlatenConfig platens;
   LoadingConfig loading;
   StopConfig stop;
+  bool operator==(const ExperimentConfig&) const = default;
 };
 
 /// The intact material's laboratory properties: input of the closed forms (Eqs 10-14).
@@ -58,6 +63,7 @@ struct MaterialConfig {
   double mode_ii_toughness_mpa_sqrt_m = 1.1;
   double tensile_strength_mpa = 1.6;
   double beta = 0.25;  ///< Eq 33.
+  bool operator==(const MaterialConfig&) const = default;
 };
 
 struct ParticleConfig {
@@ -69,12 +75,14 @@ struct ParticleConfig {
   double youngs_modulus_gpa = 1.3;
   double poissons_ratio = 0.2;
   double density_kg_per_m3 = 1200.0;
+  bool operator==(const ParticleConfig&) const = default;
 };
 
 struct LawConfig {
   LawReading reading = LawReading::consistent;
-  std::optional<ShearPeak> shear_peak;                         ///< Departure; unset: the reading's own.
+  std::optional<ShearPeak> shear_peak;                           ///< Departure; unset: the reading's own.
   std::optional<OpeningShearStiffness> opening_shear_stiffness;  ///< Departure; unset: the reading's own.
+  bool operator==(const LawConfig&) const = default;
 };
 
 struct ContactConfig {
@@ -85,22 +93,26 @@ struct ContactConfig {
   double friction_angle_deg = 36.5;                    ///< phi_c
   std::optional<double> fracture_energy_n_per_mm;      ///< G_f; unset: K_IC^2 / E~ (Eq 34).
   LawConfig law;
+  bool operator==(const ContactConfig&) const = default;
 };
 
 struct IntegrationConfig {
-  double safety_factor = 0.7;          ///< Time step over the critical step.
-  std::optional<double> time_step_s;   ///< Unset: safety_factor times the critical step.
+  double safety_factor = 0.7;         ///< Time step over the critical step.
+  std::optional<double> time_step_s;  ///< Unset: safety_factor times the critical step.
   double local_damping = 0.7;
   std::optional<double> mass_scaling_time_step_s;  ///< Nodes whose own critical step is smaller are made heavier.
+  bool operator==(const IntegrationConfig&) const = default;
 };
 
 struct MeasurementConfig {
-  int samples = 1000;                 ///< Rows of curves.csv up to the stop strain; reactions are means over a sample's steps.
-  double axial_gauge_mm = 60.0;       ///< Compression: central gauge length on the specimen.
-  double lateral_gauge_mm = 20.0;     ///< Compression: height of the band at mid-height whose flank displacement is averaged.
-  double modulus_window_low = 0.2;    ///< E and nu: fractions of the peak stress.
+  int samples = 1000;  ///< Rows of curves.csv up to the stop strain; reactions are means over a sample's steps.
+  double axial_gauge_mm = 60.0;  ///< Compression: central gauge length on the specimen.
+  double lateral_gauge_mm =
+      20.0;  ///< Compression: height of the band at mid-height whose flank displacement is averaged.
+  double modulus_window_low = 0.2;  ///< E and nu: fractions of the peak stress.
   double modulus_window_high = 0.5;
-  double peak_strain_limit = 0.02;    ///< Peak: largest stress up to this axial strain.
+  double peak_strain_limit = 0.02;  ///< Peak: largest stress up to this axial strain.
+  bool operator==(const MeasurementConfig&) const = default;
 };
 
 struct OutputConfig {
@@ -108,10 +120,12 @@ struct OutputConfig {
   std::vector<std::string> fields{"cracks", "damage", "stress", "fragments"};
   int width_px = 1600;
   int height_px = 1200;
+  bool operator==(const OutputConfig&) const = default;
 };
 
 struct RunConfig {
-  std::string name = "run";
+  std::string name = "run";  ///< Unset in the file: the file's name without .json.
+  std::string description;
   ExperimentConfig experiment;
   MaterialConfig material;
   ParticleConfig particles;
@@ -119,6 +133,7 @@ struct RunConfig {
   IntegrationConfig integration;
   MeasurementConfig measurement;
   OutputConfig output;
+  bool operator==(const RunConfig&) const = default;
 };
 
 }  // namespace asperity

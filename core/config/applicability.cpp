@@ -1,0 +1,59 @@
+#include "core/config/applicability.hpp"
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kType = "/experiment/type";
+constexpr std::string_view kMode = "/experiment/loading/mode";
+constexpr std::string_view kKind = "/particles/kind";
+
+bool is_disc(const RunConfig& config) { return config.experiment.type == ExperimentType::brazilian; }
+bool is_compression(const RunConfig& config) { return !is_disc(config); }
+bool is_triaxial(const RunConfig& config) { return config.experiment.type == ExperimentType::triaxial; }
+bool is_staged(const RunConfig& config) { return config.experiment.loading.mode == LoadingMode::staged; }
+bool is_continuous(const RunConfig& config) { return !is_staged(config); }
+bool is_voronoi(const RunConfig& config) { return config.particles.kind == ParticleKind::voronoi; }
+
+}  // namespace
+
+const std::vector<ConditionalKey>& conditional_keys() {
+  constexpr std::string_view compression = "only in uniaxial and triaxial compression";
+  constexpr std::string_view triaxial = "only in a triaxial test";
+  constexpr std::string_view disc = "only for a Brazilian disc";
+  constexpr std::string_view staged = "only in staged loading";
+  constexpr std::string_view continuous = "only in continuous loading";
+  constexpr std::string_view size_hint = "a Brazilian disc has diameter_mm";
+  constexpr std::string_view gauge_hint = "remove it: a disc has no gauges and no modulus";
+  constexpr std::string_view staged_hint = "remove it, or set /experiment/loading/mode to \"staged\"";
+  static const std::vector<ConditionalKey> table{
+      {"/experiment/width_mm", kType, is_compression, compression, size_hint},
+      {"/experiment/height_mm", kType, is_compression, compression, size_hint},
+      {"/experiment/diameter_mm", kType, is_disc, disc, "compression has width_mm and height_mm"},
+      {"/experiment/confining_pressure_mpa", kType, is_triaxial, triaxial,
+       "remove it, or set /experiment/type to \"triaxial\""},
+      {"/experiment/loading/confinement_time_s", kType, is_triaxial, triaxial, "remove it: there is no confinement"},
+      {"/experiment/loading/ramp_time_s", kType, is_disc, disc,
+       "remove it: compression starts from a linear velocity field"},
+      {"/experiment/loading/ramp_time_s", kMode, is_continuous, continuous, "remove it: stages have no ramp"},
+      {"/experiment/loading/stage_displacement_mm", kMode, is_staged, staged, staged_hint},
+      {"/experiment/loading/hold_kinetic_ratio", kMode, is_staged, staged, staged_hint},
+      {"/experiment/loading/hold_time_s", kMode, is_staged, staged, staged_hint},
+      {"/particles/grain_size_mm", kKind, is_voronoi, "only for voronoi grains",
+       "remove it, or set /particles/kind to \"voronoi\""},
+      {"/measurement/axial_gauge_mm", kType, is_compression, compression, gauge_hint},
+      {"/measurement/lateral_gauge_mm", kType, is_compression, compression, gauge_hint},
+      {"/measurement/modulus_window", kType, is_compression, compression, gauge_hint},
+  };
+  return table;
+}
+
+bool applies(const RunConfig& config, std::string_view pointer) {
+  const auto& keys = conditional_keys();
+  return std::none_of(keys.begin(), keys.end(),
+                      [&](const ConditionalKey& key) { return key.pointer == pointer && !key.applies(config); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,109 @@
+#include "core/config/overrides.hpp"
+
+#include "core/config/json_text.hpp"
+#include "core/config/schema_lookup.hpp"
+
+namespace asperity {
+
+using nlohmann::json;
+
+namespace {
+
+bool is_pointer(const std::string& text) {
+  if (!text.starts_with('/')) return false;
+  try {
+    json::json_pointer{text};
+    return true;
+  } catch (const json::parse_error&) {
+    return false;
+  }
+}
+
+Fault malformed(const std::string& text) {
+  return {"--set", "is not of the form /json/pointer=value", text, "/json/pointer=value",
+          "for example --set /particles/edge_mm=1.5"};
+}
+
+/// A shell argument as valid UTF-8.
+json bare_string(const std::string& text) {
+  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+Override parse_override(const std::string& pointer, const std::string& value) {
+  ParsedText parsed = parse_json(value, "--set " + pointer);
+  if (!parsed.well_formed) return {pointer, bare_string(value), {}};
+  for (Fault& fault : parsed.faults) fault.where = pointer + fault.where;
+  return {pointer, std::move(parsed.document), std::move(parsed.faults)};
+}
+
+/// Names the first token of the pointer that the schema does not know.
+Fault unknown_pointer(const json& schema, const Override& item) {
+  std::string known;
+  for (const std::string& token : pointer_tokens(item.pointer)) {
+    const std::string next = child_pointer(known, token);
+    if (!schema_at(schema, next)) {
+      const json& node = *schema_at(schema, known);
+      return {item.pointer, "is not a key of the configuration: " + token, json_text(item.value), allowed_text(node),
+              key_hint(schema, known, token)};
+    }
+    known = next;
+  }
+  return {};
+}
+
+/// Walks to the parent object, making objects on the way. Stops where something stands that is no object: the schema
+/// names that fault.
+void set_value(json& document, const Override& item) {
+  json* node = &document;
+  for (const std::string& token : pointer_tokens(item.pointer)) {
+    if (node->is_null()) *node = json::object();
+    if (!node->is_object()) return;
+    node = &(*node)[token];
+  }
+  *node = item.value;
+}
+
+bool leads_into_array(const json& schema, const std::string& pointer) {
+  const std::string parent = json::json_pointer(pointer).parent_pointer().to_string();
+  const json* node = schema_at(schema, parent);
+  return node && node->value("type", "") == "array";
+}
+
+Fault inside_array(const json& schema, const Override& item) {
+  const std::string parent = json::json_pointer(item.pointer).parent_pointer().to_string();
+  return {item.pointer, "is inside an array, which is set as a whole", json_text(item.value),
+          allowed_text(*schema_at(schema, parent)), "set " + parent + " instead, for example " + parent + "=[...]"};
+}
+
+}  // namespace
+
+std::vector<Override> parse_overrides(const std::vector<std::string>& texts) {
+  std::vector<Override> overrides;
+  std::vector<Fault> faults;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    const std::string pointer = text.substr(0, equals);
+    if (equals == std::string::npos || !is_pointer(pointer))
+      faults.push_back(malformed(text));
+    else
+      overrides.push_back(parse_override(pointer, text.substr(equals + 1)));
+  }
+  if (!faults.empty()) throw Error(ErrorKind::usage, std::move(faults));
+  return overrides;
+}
+
+std::vector<Fault> apply_overrides(json& document, const json& schema, const std::vector<Override>& overrides) {
+  std::vector<Fault> faults;
+  for (const Override& item : overrides) {
+    faults.insert(faults.end(), item.faults.begin(), item.faults.end());
+    if (leads_into_array(schema, item.pointer))
+      faults.push_back(inside_array(schema, item));
+    else if (!schema_at(schema, item.pointer))
+      faults.push_back(unknown_pointer(schema, item));
+    else
+      set_value(document, item);
+  }
+  return faults;
+}
+
+}  // namespace asperity

@@ -1,0 +1,69 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/base/parallel.hpp"
+#include "core/base/vec2.hpp"
+#include "core/config/run_config.hpp"
+#include "core/contact/law.hpp"
+#include "core/geometry/mesh.hpp"
+#include "core/particles/particles.hpp"
+
+namespace asperity {
+
+/// One contact edge between two particles. Nodes (left1, left2) and (right1, right2) coincide at rest; seen along
+/// 1 -> 2 the left particle lies to the left.
+struct ContactEdge {
+  int left1, left2, right1, right2;
+  int left_triangle, right_triangle;
+  double length;  ///< At rest, mm: the contact area per mm of thickness, twice that of one contact point.
+};
+
+/// Contact edges of a mesh and the memory of their two contact points (Gauss points at 1/2 -+ 1/(2 sqrt 3)).
+struct BondedContacts {
+  std::vector<ContactEdge> edges;
+  std::vector<std::array<PointState, 2>> points;
+  std::vector<double> break_time;  ///< s, when the second point of an edge broke; -1 before.
+  LawParameters law;
+  LawReading reading = LawReading::consistent;
+
+  std::size_t size() const { return edges.size(); }
+};
+
+/// Contacts on all edges between triangles of different grains.
+BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law, LawReading reading);
+
+/// Midline frame of a contact edge and its separations; Eqs. (C15), (C16).
+struct ContactFrame {
+  Vec2 tangent, normal;
+  double midline_length;
+  std::array<Vec2, 2> gap;  ///< right - left at ends 1 and 2, mm.
+};
+
+ContactFrame contact_frame(const ContactEdge& edge, const std::vector<Vec2>& position);
+
+/// Weights of ends 1 and 2 at the two contact points.
+inline constexpr double kNearGauss = 0.78867513459481287;
+inline constexpr double kFarGauss = 0.21132486540518713;
+
+/// Brings every contact to the present positions at `time` (s) and writes its forces on left1, left2, right1, right2 (N per mm of
+/// thickness), Eqs. (C17), (C18), to forces[4 edge] ... forces[4 edge + 3].
+void update_contacts(BondedContacts& contacts, const std::vector<Vec2>& position, double time, const ParallelLoops& loops,
+                     std::span<Vec2> forces);
+
+/// Energies of all contacts, N mm per mm of thickness.
+struct ContactEnergies {
+  double recoverable = 0, fracture = 0, friction = 0, created = 0;
+  ContactEnergies& operator+=(const ContactEnergies& other);
+};
+
+ContactEnergies contact_energies(const BondedContacts& contacts, const ParallelLoops& loops);
+
+/// An edge is broken once both its points are; its mode is that of the point that spent more fracture energy.
+BreakMode edge_break_mode(const std::array<PointState, 2>& points);
+
+/// Mean damage of the two points; a broken point counts 1.
+double edge_damage(const std::array<PointState, 2>& points);
+
+}  // namespace asperity

@@ -1,0 +1,121 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/contact/law.hpp"
+
+/// The default contact law: damage and slip with a free energy, so that no path from the virgin state returns net work.
+/// Equations (C20)-(C29) and their proof: core/contact/README.md.
+namespace asperity::consistent_law {
+
+inline constexpr double kE = std::numbers::e;
+
+/// Secant factor of the virgin curve at normalised separation kappa, Eq. (C24): exp(-kappa), then (1 - D) / (e kappa).
+inline double secant_factor(double kappa, double damage) {
+  return kappa <= 1.0 ? std::exp(-kappa) : (1.0 - damage) / (kE * kappa);
+}
+
+/// Secant factor of shear alone at normalised shear displacement x, Eq. (C25); x times it is the normalised strength of
+/// the intact share, Eq. (C22): x exp(-x) up to its peak 1 / e at x = 1, then constant.
+inline double shear_secant_factor(double x) { return secant_factor(x, 0.0); }
+
+/// D at kappa; the ultimate separation shrinks from delta_ut / delta_ct in pure tension to 1 in pure shear, Eq. (C23).
+inline double damage_at(double kappa, double kappa_n, const LawParameters& p) {
+  if (kappa <= 1.0) return 0.0;
+  const double tension_share = kappa_n * kappa_n / (kappa * kappa);
+  const double range = (p.kappa_ut - 1.0) * tension_share;
+  return kappa - 1.0 >= range ? 1.0 : (kappa - 1.0) / range;
+}
+
+/// Work done by a traction that went from one value to another over a path in its own direction; never negative.
+inline double path_work(double from, double to, double path) { return std::max(0.0, 0.5 * (from + to) * path); }
+
+/// Slip of the intact share at its yield curve, Eqs. (C21), (C22): exact for a constant normal stress. Returns the slip.
+inline double slip_intact_share(PointState& s, double shear, double pressure, const LawParameters& p) {
+  const double trial = p.k_s * (shear - s.slip);
+  const double strength = kE * (p.c_c + pressure * p.tan_phi);
+  const double x = s.hardening * (1.0 - s.shear_secant) + std::abs(trial) / strength;
+  if (x <= s.hardening) return 0.0;
+  s.hardening = x;
+  s.shear_secant = shear_secant_factor(x);
+  const double slipped = (trial - std::copysign(strength * x * s.shear_secant, trial)) / p.k_s;
+  s.slip += slipped;
+  return slipped;
+}
+
+/// Coulomb friction of the broken share, Eq. (C26).
+inline void slide_broken_share(PointState& s, double shear, double pressure, const LawParameters& p) {
+  const double share = 1.0 - s.integrity_s;
+  if (share <= 0.0) return;
+  const double stiffness = share * p.k_s;
+  const double trial = s.friction + stiffness * (shear - s.shear);
+  const double limit = share * pressure * p.tan_phi;
+  const double after = std::clamp(trial, -limit, limit);
+  s.friction_energy += path_work(s.friction, after, (trial - after) / stiffness);
+  s.friction = after;
+}
+
+/// A newly broken part of the intact share joins the broken one: it keeps no more than friction can hold, Eq. (C27).
+inline void hand_over(PointState& s, double integrity_s, double stress_before, double stress, double limit, double moved,
+                      const LawParameters& p) {
+  const double part = s.integrity_s - integrity_s;
+  const double share = 1.0 - s.integrity_s;
+  const double kept = std::clamp(stress, -limit, limit);
+  s.fracture_energy += 0.5 * part * std::max(0.0, stress_before * stress - kept * kept) / p.k_s;
+  if (share > 0.0) {
+    const double gap = kept - s.friction / share;
+    s.fracture_energy += 0.5 * part * share / (part + share) * gap * gap / p.k_s;
+  }
+  s.friction_energy += path_work(0.0, part * kept, moved);
+  s.friction += part * kept;
+  s.integrity_s = integrity_s;
+}
+
+/// Damage of both modes at the present opening and hardening, Eqs. (C23)-(C25), (C27).
+inline void damage_contact(PointState& s, double normal, double shear, double stress_before, double limit,
+                           const LawParameters& p) {
+  const double opening = std::max(0.0, normal);
+  const double kappa_n = opening / p.delta_ct;
+  const double kappa = std::sqrt(kappa_n * kappa_n + s.hardening * s.hardening);
+  if (kappa <= 1.0 && kappa <= s.largest) return;
+  s.damage = std::max(s.damage, damage_at(kappa, kappa_n, p));
+  s.largest = std::max(s.largest, kappa);
+  const double factor = opening > 0.0 ? secant_factor(kappa, s.damage) : (1.0 - s.damage) * s.shear_secant;
+  const double g_n = std::min(s.integrity_n, factor);
+  const double g_s = std::min(s.integrity_s, factor / s.shear_secant);
+  s.fracture_energy += 0.5 * p.k_t * std::max(0.0, s.normal) * opening * (s.integrity_n - g_n);
+  s.integrity_n = g_n;
+  if (g_s < s.integrity_s) hand_over(s, g_s, stress_before, p.k_s * (shear - s.slip), limit, shear - s.shear, p);
+  if (s.damage >= 1.0) {
+    s.broken = 2.0 * kappa_n * kappa_n >= kappa * kappa ? BreakMode::tension : BreakMode::shear;
+  }
+}
+
+/// Brings a contact point to a new separation (mm) and its traction up to date.
+inline void update(PointState& s, double normal, double shear, const LawParameters& p) {
+  const double pressure = normal < 0.0 ? -p.k_t * normal : 0.0;
+  slide_broken_share(s, shear, pressure, p);
+  if (s.broken == BreakMode::none) {
+    const double stress_before = p.k_s * (s.shear - s.slip);
+    const double traction_before = s.integrity_s * stress_before;
+    const double slipped = slip_intact_share(s, shear, pressure, p);
+    damage_contact(s, normal, shear, stress_before, pressure * p.tan_phi, p);
+    s.fracture_energy += path_work(traction_before, s.integrity_s * p.k_s * (shear - s.slip), slipped);
+  }
+  s.traction_n = normal < 0.0 ? -pressure : s.integrity_n * p.k_t * normal;
+  s.traction_s = s.integrity_s * p.k_s * (shear - s.slip) + s.friction;
+  s.normal = normal;
+  s.shear = shear;
+}
+
+/// Recoverable energy of a contact point (N/mm), Eq. (C20).
+inline double recoverable_energy(const PointState& s, const LawParameters& p) {
+  const double elastic = s.shear - s.slip;
+  const double normal = 0.5 * (s.normal < 0.0 ? 1.0 : s.integrity_n) * p.k_t * s.normal * s.normal;
+  const double share = 1.0 - s.integrity_s;
+  const double friction = share > 0.0 ? 0.5 * s.friction * s.friction / (share * p.k_s) : 0.0;
+  return normal + 0.5 * s.integrity_s * p.k_s * elastic * elastic + friction;
+}
+
+}  // namespace asperity::consistent_law

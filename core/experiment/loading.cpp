@@ -1,0 +1,109 @@
+#include "core/experiment/loading.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.hpp"
+#include "core/contact/closed_forms.hpp"
+
+namespace asperity {
+namespace {
+
+void set_closing_rate(Platens& platens, double rate) { platens.velocity = {0.5 * rate, -0.5 * rate}; }
+
+/// Adds the linear field that joins the two platens' velocities, Eq. (E1), and books its kinetic energy as work.
+void add_linear_velocity_field(Model& model, double rate) {
+  Particles& p = model.system.particles;
+  const double height = specimen_height(model.config.experiment);
+  for (std::size_t i = 0; i < p.node_count(); ++i) {
+    const Vec2 before = p.velocity[i];
+    p.velocity[i].y += rate * (0.5 - p.reference[i].y / height);
+    model.system.initial_kinetic += 0.5 * p.mass[i] * (dot(p.velocity[i], p.velocity[i]) - dot(before, before));
+  }
+  set_closing_rate(model.system.platens, rate);
+  model.system.platens.last_velocity = model.system.platens.velocity;
+}
+
+void start_moving(Model& model, LoadingState& state) {
+  state.phase = LoadingPhase::moving;
+  state.phase_start_s = model.system.time;
+  state.zero_distance_mm = model.system.platens.y[1] - model.system.platens.y[0];
+  state.zero_gauges = read_gauges(model.gauges, model.system.particles);
+  const bool compression = model.config.experiment.type != ExperimentType::brazilian;
+  if (compression && model.config.experiment.loading.mode == LoadingMode::continuous) {
+    add_linear_velocity_field(model, model.config.experiment.loading.closing_rate_mm_per_s);
+  }
+}
+
+/// Hydrostatic stage: pressure ramps up and the platens follow so that the axial stress equals it, Eq. (E2).
+void confine(Model& model, LoadingState& state, double kinetic_ratio) {
+  const ExperimentConfig& e = model.config.experiment;
+  System& system = model.system;
+  const double elapsed = system.time - state.phase_start_s;
+  const double target = e.confining_pressure_mpa * std::min(1.0, elapsed / e.loading.confinement_time_s);
+  const double present = 0.5 * (system.sums.reaction[0] + system.sums.reaction[1]) / e.width_mm;
+  const bool settled = kinetic_ratio < e.loading.hold_kinetic_ratio && std::abs(present - target) < 1e-3 * target;
+  if ((elapsed > e.loading.confinement_time_s && settled) || elapsed > 4.0 * e.loading.confinement_time_s) {
+    set_closing_rate(system.platens, 0.0);
+    start_moving(model, state);
+    return;
+  }
+  system.flank.pressure = target;
+  const double modulus = closed_forms::effective_modulus(model.config.particles.youngs_modulus_gpa * units::kMpaPerGpa,
+                                                         model.config.particles.poissons_ratio, e.plane);
+  const double response_time = 0.1 * e.loading.confinement_time_s;
+  set_closing_rate(system.platens, e.height_mm / modulus * (target - present) / response_time);
+}
+
+void move(Model& model, LoadingState& state) {
+  const LoadingConfig& loading = model.config.experiment.loading;
+  const double moved = closure(model, state) - state.phase_start_closure_mm;
+  if (loading.mode == LoadingMode::staged && moved >= loading.stage_displacement_mm) {
+    set_closing_rate(model.system.platens, 0.0);
+    state.phase = LoadingPhase::holding;
+    state.phase_start_s = model.system.time;
+    return;
+  }
+  const double elapsed = model.system.time - state.phase_start_s;
+  const double ramp = loading.mode == LoadingMode::continuous && loading.ramp_time_s > 0.0
+                          ? std::min(1.0, elapsed / loading.ramp_time_s)
+                          : 1.0;
+  set_closing_rate(model.system.platens, ramp * loading.closing_rate_mm_per_s);
+}
+
+void hold(Model& model, LoadingState& state, double kinetic_ratio) {
+  const LoadingConfig& loading = model.config.experiment.loading;
+  const double elapsed = model.system.time - state.phase_start_s;
+  if (kinetic_ratio >= loading.hold_kinetic_ratio && elapsed < loading.hold_time_s) return;
+  ++state.stages;
+  state.phase = LoadingPhase::moving;
+  state.phase_start_s = model.system.time;
+  state.phase_start_closure_mm = closure(model, state);
+}
+
+}  // namespace
+
+double closure(const Model& model, const LoadingState& state) {
+  return state.zero_distance_mm - (model.system.platens.y[1] - model.system.platens.y[0]);
+}
+
+LoadingState start_loading(Model& model) {
+  LoadingState state;
+  state.zero_distance_mm = model.system.platens.y[1] - model.system.platens.y[0];
+  if (model.config.experiment.confining_pressure_mpa > 0.0) {
+    state.phase = LoadingPhase::confining;
+  } else {
+    start_moving(model, state);
+  }
+  return state;
+}
+
+void drive(Model& model, LoadingState& state, double kinetic_ratio) {
+  switch (state.phase) {
+    case LoadingPhase::confining: return confine(model, state, kinetic_ratio);
+    case LoadingPhase::moving: return move(model, state);
+    case LoadingPhase::holding: return hold(model, state, kinetic_ratio);
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,87 @@
+#include "core/experiment/model.hpp"
+
+#include <algorithm>
+#include <thread>
+
+#include "core/base/error.hpp"
+#include "core/contact/closed_forms.hpp"
+#include "core/geometry/specimen.hpp"
+#include "core/integrator/time_step.hpp"
+
+namespace asperity {
+namespace {
+
+bool is_compression(const ExperimentConfig& experiment) { return experiment.type != ExperimentType::brazilian; }
+
+/// Node of the triangle to the left of a boundary edge that sits on the given vertex.
+int node_of(const Particles& p, int triangle, int vertex) {
+  for (int node : p.triangles[triangle]) {
+    if (p.vertex[node] == vertex) return node;
+  }
+  return -1;
+}
+
+FlankPressure find_flanks(const Mesh& mesh, const Particles& p) {
+  FlankPressure flank;
+  for (const MeshEdge& e : mesh_edges(mesh)) {
+    if (e.boundary != Boundary::left && e.boundary != Boundary::right) continue;
+    flank.edges.push_back({node_of(p, e.left, e.a), node_of(p, e.left, e.b)});
+  }
+  return flank;
+}
+
+Platens make_platens(const RunConfig& config, double k_t) {
+  Platens platens;
+  platens.present = true;
+  platens.y = {0.0, specimen_height(config.experiment)};
+  platens.friction = config.experiment.platens.friction_coefficient;
+  const double stiffness = config.experiment.platens.stiffness_mpa_per_mm.value_or(k_t);
+  platens.node_stiffness = 0.5 * config.particles.edge_mm * stiffness;
+  return platens;
+}
+
+void choose_time_step(Model& model, const ParallelLoops& loops) {
+  const IntegrationConfig& c = model.config.integration;
+  if (c.mass_scaling_time_step_s.value_or(0.0) > 0.0) {
+    model.added_mass_fraction = scale_masses(model.system, *c.mass_scaling_time_step_s, c.safety_factor);
+  }
+  model.critical_time_step = critical_time_step(model.system, loops);
+  model.system.time_step = c.time_step_s.value_or(c.safety_factor * model.critical_time_step);
+  if (model.system.time_step > model.critical_time_step) {
+    throw Error(ErrorKind::config, {{"/integration/time_step_s", "is above the stable time step of this mesh",
+                                     std::to_string(model.system.time_step * 1e9) + " ns",
+                                     "at most " + std::to_string(model.critical_time_step * 1e9) + " ns",
+                                     "leave it out: it is then safety_factor times the stable one"}});
+  }
+}
+
+}  // namespace
+
+double specimen_height(const ExperimentConfig& experiment) {
+  return is_compression(experiment) ? experiment.height_mm : experiment.diameter_mm;
+}
+
+Model build_model(const RunConfig& config, const ParallelLoops& loops) {
+  Model model;
+  model.config = config;
+  const LawParameters law = law_parameters(config);
+  model.mesh = make_mesh(config.experiment, config.particles);
+  System& system = model.system;
+  system.particles = make_particles(model.mesh, config.particles, config.experiment.plane);
+  system.contacts = make_contacts(model.mesh, system.particles, law, config.contacts.law.reading);
+  system.platens = make_platens(config, law.k_t);
+  system.local_damping = config.integration.local_damping;
+  if (is_compression(config.experiment)) {
+    system.flank = find_flanks(model.mesh, system.particles);
+    model.gauges = make_gauges(system.particles, config.experiment, config.measurement, config.particles.edge_mm);
+  }
+  prepare(system);
+  choose_time_step(model, loops);
+  return model;
+}
+
+int default_threads(std::size_t triangles) {
+  return triangles < 20000 ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace asperity

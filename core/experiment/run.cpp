@@ -1,0 +1,133 @@
+#include "core/experiment/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/integrator/guards.hpp"
+#include "core/measurement/capture.hpp"
+#include "core/measurement/crack_network.hpp"
+#include "core/measurement/results.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr std::int64_t kEnergyInterval = 100;  // steps between looks at the kinetic ratio while a stage is held
+constexpr int kSamplesBelow = 5;               // one noisy sample must not end a test
+
+bool staged(const Model& model) { return model.config.experiment.loading.mode == LoadingMode::staged; }
+
+Sample measure(const Model& model, const RunState& state, const ParallelLoops& loops) {
+  const ExperimentConfig& e = model.config.experiment;
+  const System& system = model.system;
+  Sample s;
+  s.time_s = system.time;
+  s.closure_mm = closure(model, state.loading);
+  s.axial_strain = s.closure_mm / specimen_height(e);
+  const GaugeReading gauges = read_gauges(model.gauges, system.particles);
+  s.gauge_axial_strain = gauges.axial - state.loading.zero_gauges.axial;
+  s.lateral_strain = gauges.lateral - state.loading.zero_gauges.lateral;
+  const double steps = static_cast<double>(std::max<std::int64_t>(1, state.steps_in_sample));
+  const double bottom = state.reaction_sum.reaction[0] / steps;
+  const double top = state.reaction_sum.reaction[1] / steps;
+  s.load_n_per_mm = 0.5 * (bottom + top);
+  s.reaction_bottom_n = bottom * e.thickness_mm;
+  s.reaction_top_n = top * e.thickness_mm;
+  s.stress_mpa = e.type == ExperimentType::brazilian ? splitting_stress(s.load_n_per_mm, e.diameter_mm)
+                                                     : s.load_n_per_mm / e.width_mm;
+  s.confining_pressure_mpa = system.flank.pressure;
+  const CrackCounts cracks = count_cracks(system.contacts, loops);
+  s.cracks_tension = cracks.tension;
+  s.cracks_shear = cracks.shear;
+  s.contacts_softening = cracks.softening;
+  s.energy = energy_balance(system, loops);
+  return s;
+}
+
+/// Kinetic over elastic energy; 1 while nothing is stored yet.
+double kinetic_ratio(const EnergyBalance& energy) {
+  const double stored = energy.elastic + energy.recoverable;
+  return stored > 0.0 ? energy.kinetic / stored : 1.0;
+}
+
+StopReason stop_reason(const Model& model, RunState& state) {
+  const StopConfig& stop = model.config.experiment.stop;
+  const Sample& last = state.samples.back();
+  if (last.axial_strain >= stop.axial_strain) return StopReason::strain;
+  if (stop.time_s && last.time_s >= *stop.time_s) return StopReason::time;
+  if (stop.fraction_of_peak && last.cracks_tension + last.cracks_shear > 0) {
+    double peak = 0.0;
+    for (const Sample& s : state.samples) peak = std::max(peak, s.stress_mpa);
+    state.samples_below = last.stress_mpa < *stop.fraction_of_peak * peak ? state.samples_below + 1 : 0;
+    if (state.samples_below >= kSamplesBelow) return StopReason::fraction_of_peak;
+  }
+  return StopReason::running;
+}
+
+bool sample_due(const Model& model, const RunState& state, std::int64_t interval) {
+  if (state.loading.phase == LoadingPhase::confining) return false;
+  if (staged(model)) return state.loading.stages > state.stages_sampled;
+  return state.steps_in_sample >= interval;
+}
+
+void take_sample(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {
+  check_state(model.system);
+  state.samples.push_back(measure(model, state, loops));
+  const Sample& sample = state.samples.back();
+  check_energy(model.system, sample.energy);
+  state.kinetic_ratio = kinetic_ratio(sample.energy);
+  state.reaction_sum = {};
+  state.steps_in_sample = 0;
+  state.stages_sampled = state.loading.stages;
+  state.stop = stop_reason(model, state);
+  if (observer.on_sample) observer.on_sample(sample);
+  if (observer.on_progress) {
+    observer.on_progress({sample.axial_strain / model.config.experiment.stop.axial_strain, &sample, model.system.step});
+  }
+}
+
+void take_frame(const Model& model, RunState& state, const RunObserver& observer) {
+  if (observer.on_frame) observer.on_frame(capture_frame(model.system, model.config, state.samples, state.frames));
+  ++state.frames;
+  const double interval = model.config.experiment.stop.axial_strain / std::max(1, model.config.output.frames - 1);
+  while (state.next_frame_strain <= state.samples.back().axial_strain) state.next_frame_strain += interval;
+}
+
+}  // namespace
+
+RunState start_run(Model& model) {
+  RunState state;
+  state.loading = start_loading(model);
+  return state;
+}
+
+std::int64_t steps_per_sample(const Model& model) {
+  const ExperimentConfig& e = model.config.experiment;
+  const double duration = e.stop.axial_strain * specimen_height(e) / e.loading.closing_rate_mm_per_s;
+  return std::max<std::int64_t>(1, std::llround(duration / model.system.time_step / model.config.measurement.samples));
+}
+
+void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {
+  System& system = model.system;
+  const std::int64_t interval = steps_per_sample(model);
+  while (state.stop == StopReason::running) {
+    compute_forces(system, loops);
+    drive(model, state.loading, state.kinetic_ratio);
+    update_velocities(system, loops);
+    state.reaction_sum.reaction[0] += system.sums.reaction[0];
+    state.reaction_sum.reaction[1] += system.sums.reaction[1];
+    ++state.steps_in_sample;
+    if (staged(model) || state.loading.phase == LoadingPhase::confining) {
+      if (system.step % kEnergyInterval == 0) state.kinetic_ratio = kinetic_ratio(energy_balance(system, loops));
+    }
+    if (sample_due(model, state, interval) || (state.samples.empty() && state.loading.phase != LoadingPhase::confining)) {
+      take_sample(model, state, loops, observer);
+      if (state.samples.back().axial_strain >= state.next_frame_strain || state.stop != StopReason::running) {
+        take_frame(model, state, observer);
+      }
+    }
+    update_positions(system, loops);
+    if (state.stop == StopReason::running && observer.interrupted && observer.interrupted()) state.stop = StopReason::interrupted;
+  }
+}
+
+}  // namespace asperity

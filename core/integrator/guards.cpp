@@ -1,0 +1,50 @@
+#include "core/integrator/guards.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/error.hpp"
+
+namespace asperity {
+namespace {
+
+[[noreturn]] void stop(const System& system, Vec2 place, const char* what, const char* cause) {
+  char text[320];
+  std::snprintf(text, sizeof text, "step %lld, t = %.6g s, near (%.4g, %.4g) mm: %s. Likely cause: %s",
+                static_cast<long long>(system.step), system.time, place.x, place.y, what, cause);
+  throw Error(ErrorKind::numerical, text);
+}
+
+constexpr const char* kStepHint =
+    "a time step above the stable one, or a loading rate the specimen cannot follow; lower integration.safety_factor or "
+    "experiment.loading.closing_rate_mm_per_s";
+
+}  // namespace
+
+void check_state(const System& system) {
+  const Particles& p = system.particles;
+  for (std::size_t t = 0; t < p.triangle_count(); ++t) {
+    const double jacobian = deformation_gradient(p.shapes[t], p.corners(t)).jacobian();
+    const Vec2 place = p.reference[p.triangles[t][0]];
+    if (!std::isfinite(jacobian)) stop(system, place, "a position is not finite", kStepHint);
+    if (jacobian <= 0.0) stop(system, place, "a particle has turned over", kStepHint);
+  }
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const ContactEdge& e = system.contacts.edges[c];
+    for (const PointState& s : system.contacts.points[c]) {
+      if (-s.normal > 0.5 * e.length) {
+        stop(system, p.reference[e.left1], "two faces overlap by more than half their edge",
+             "stresses far above k_t times the edge length; check units of stiffness and confining pressure");
+      }
+    }
+  }
+}
+
+void check_energy(const System& system, const EnergyBalance& energy) {
+  const double given = energy.external_work + std::max(0.0, energy.created_by_law);
+  if (energy.kinetic > given && energy.kinetic > 1e-9) {
+    stop(system, system.particles.reference[0], "kinetic energy exceeds the work done on the model", kStepHint);
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,13 @@
+#pragma once
+#include "core/integrator/system.hpp"
+
+namespace asperity {
+
+/// Throws a numerical error that names step, time, place and likely cause where the state is non-finite, a triangle has
+/// turned over, or two broken faces overlap by more than half an edge.
+void check_state(const System& system);
+
+/// Throws a numerical error where the kinetic energy exceeds the work done so far (plus what a literal law created).
+void check_energy(const System& system, const EnergyBalance& energy);
+
+}  // namespace asperity

@@ -1,0 +1,98 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/parallel.hpp"
+#include "core/contact/bonded_contacts.hpp"
+#include "core/particles/particles.hpp"
+
+namespace asperity {
+
+/// Two rigid horizontal platens below and above the specimen, with penalty contact on every node; Eqs. (I5), (I6).
+/// Index 0 is the bottom one, 1 the top one.
+struct Platens {
+  bool present = false;
+  std::array<double, 2> y{0, 0};              ///< mm
+  std::array<double, 2> velocity{0, 0};       ///< mm/s during the coming step.
+  std::array<double, 2> last_velocity{0, 0};  ///< mm/s during the last step.
+  double node_stiffness = 0;                  ///< N/mm per mm of thickness, on each touching node.
+  double friction = 0;                        ///< Coulomb coefficient.
+};
+
+/// Uniform pressure (MPa) on boundary edges, following their present position. Edges run with the specimen on their left.
+struct FlankPressure {
+  std::vector<std::array<int, 2>> edges;
+  double pressure = 0;
+};
+
+/// The energy account, N mm per mm of thickness; Eqs. (I7)-(I12). Every term comes from its own formula.
+struct EnergyBalance {
+  double external_work = 0;     ///< By platens, pressure, body force and held nodes, and the initial kinetic energy.
+  double elastic = 0;           ///< In the particles.
+  double recoverable = 0;       ///< In contacts, platens' penalty springs included.
+  double fracture = 0;
+  double friction = 0;
+  double damping = 0;
+  double kinetic = 0;
+  double created_by_law = 0;    ///< Literal law only: what the law itself adds; not part of the balance.
+  double sum() const { return elastic + recoverable + fracture + friction + damping + kinetic; }
+  double error() const { return external_work - sum(); }
+};
+
+/// Sums over nodes gathered in one velocity update.
+struct NodeSums {
+  std::array<double, 2> reaction{0, 0};  ///< Force on the bottom and top platen along y, N per mm of thickness, >= 0.
+  double work_before = 0, work_after = 0;  ///< External work of the half steps before and after this instant.
+  double damping = 0, platen_friction = 0, platen_energy = 0, kinetic = 0;
+  NodeSums& operator+=(const NodeSums& other);
+};
+
+/// The model and everything its motion needs. Forces are N per mm of thickness.
+struct System {
+  Particles particles;
+  BondedContacts contacts;
+  Platens platens;
+  FlankPressure flank;
+  Vec2 body_acceleration{0, 0};          ///< mm/s2, e.g. gravity.
+  std::vector<std::uint8_t> held;        ///< Nodes that keep their velocity; empty: none.
+  double local_damping = 0;
+  double time_step = 0;                  ///< s
+  double time = 0;                       ///< s
+  std::int64_t step = 0;
+  double initial_kinetic = 0;
+
+  std::vector<double> platen_shear;      ///< Tangential platen force on each node along x.
+  NodeSums sums;                         ///< Of the last velocity update.
+  double external_work = 0, damping_energy = 0, platen_friction_energy = 0;  ///< Up to the present instant, see step().
+
+  std::vector<Vec2> forces;              ///< Three for each triangle, then four for each contact edge.
+  std::vector<Vec2> external_force;      ///< Flank pressure on each node.
+  std::vector<int> slot_begin, slots;    ///< Per node: which entries of forces act on it.
+};
+
+/// Allocates the work arrays and the node's lists of force contributions (CSR). Call once particles and contacts stand.
+void prepare(System& system);
+
+/// Forces of triangles and contacts at the present positions.
+void compute_forces(System& system, const ParallelLoops& loops);
+
+/// Velocities half a step ahead: Eqs. (I1)-(I4); fills system.sums. Positions stay.
+void update_velocities(System& system, const ParallelLoops& loops);
+
+/// Positions and platens one step ahead, Eq. (I2).
+void update_positions(System& system, const ParallelLoops& loops);
+
+/// Net force of triangles and contacts on a node, gathered in fixed order.
+Vec2 internal_force(const System& system, std::size_t node);
+
+/// All energies at the present instant; valid between update_velocities and update_positions.
+EnergyBalance energy_balance(const System& system, const ParallelLoops& loops);
+
+/// Elastic energy of all particles, Eq. (I8).
+double elastic_energy(const Particles& particles, const ParallelLoops& loops);
+
+/// Counts the kinetic energy of the present velocities as work that entered before the first step.
+void book_initial_kinetic_energy(System& system);
+
+}  // namespace asperity

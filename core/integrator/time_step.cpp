@@ -1,0 +1,142 @@
+#include "core/integrator/time_step.hpp"
+
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/base/random.hpp"
+
+namespace asperity {
+namespace {
+
+/// Linear elastic forces of a triangle for small corner displacements u.
+std::array<Vec2, 3> linear_triangle(const TriangleShape& shape, const std::array<Vec2, 3>& u, const ElasticConstants& c) {
+  double exx = 0, eyy = 0, gxy = 0;
+  for (int i = 0; i < 3; ++i) {
+    exx += u[i].x * shape.gradient[i].x;
+    eyy += u[i].y * shape.gradient[i].y;
+    gxy += u[i].x * shape.gradient[i].y + u[i].y * shape.gradient[i].x;
+  }
+  const double sxx = c.c11 * exx + c.c12 * eyy, syy = c.c12 * exx + c.c11 * eyy, sxy = c.shear * gxy;
+  std::array<Vec2, 3> force;
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 g = shape.gradient[i];
+    force[i] = shape.area * Vec2{sxx * g.x + sxy * g.y, sxy * g.x + syy * g.y};
+  }
+  return force;
+}
+
+/// Linear forces of a contact edge for small displacements of left1, left2, right1, right2.
+std::array<Vec2, 4> linear_contact(const ContactEdge& edge, const std::vector<Vec2>& x, const std::vector<Vec2>& u,
+                                   const LawParameters& law) {
+  const ContactFrame frame = contact_frame(edge, x);
+  const Vec2 gap[2] = {u[edge.right1] - u[edge.left1], u[edge.right2] - u[edge.left2]};
+  constexpr double weight[2][2] = {{kNearGauss, kFarGauss}, {kFarGauss, kNearGauss}};
+  Vec2 end[2] = {};
+  for (int q = 0; q < 2; ++q) {
+    const Vec2 d = weight[q][0] * gap[0] + weight[q][1] * gap[1];
+    const Vec2 traction = (law.k_t * dot(d, frame.normal)) * frame.normal + (law.k_s * dot(d, frame.tangent)) * frame.tangent;
+    for (int i = 0; i < 2; ++i) end[i] += (0.5 * edge.length * weight[q][i]) * traction;
+  }
+  return {Vec2{} - end[0], Vec2{} - end[1], end[0], end[1]};
+}
+
+/// K u, node by node.
+std::vector<Vec2> apply_stiffness(const System& system, const std::vector<Vec2>& u, const ParallelLoops& loops) {
+  const Particles& p = system.particles;
+  const std::size_t triangles = p.triangle_count();
+  std::vector<Vec2> forces(system.forces.size());
+  loops.for_blocks(triangles, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& n = p.triangles[t];
+      const auto f = linear_triangle(p.shapes[t], {u[n[0]], u[n[1]], u[n[2]]}, p.elastic);
+      for (std::size_t i = 0; i < 3; ++i) forces[3 * t + i] = f[i];
+    }
+  });
+  loops.for_blocks(system.contacts.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      const auto f = linear_contact(system.contacts.edges[c], p.reference, u, system.contacts.law);
+      for (std::size_t i = 0; i < 4; ++i) forces[3 * triangles + 4 * c + i] = f[i];
+    }
+  });
+  std::vector<Vec2> result(u.size());
+  loops.for_blocks(u.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node) {
+      Vec2 sum = system.platens.present ? system.platens.node_stiffness * u[node] : Vec2{};
+      for (int i = system.slot_begin[node]; i < system.slot_begin[node + 1]; ++i) sum += forces[system.slots[i]];
+      result[node] = sum;
+    }
+  });
+  return result;
+}
+
+std::vector<Vec2> random_start(std::size_t n) {
+  RandomStream random(1, "power iteration");
+  std::vector<Vec2> u(n);
+  for (Vec2& v : u) v = {random.normal(), random.normal()};
+  return u;
+}
+
+/// Largest row sum of |K| over a node's two components, divided into the node's share by summing absolute entries.
+std::vector<double> gershgorin_rows(const System& system) {
+  const Particles& p = system.particles;
+  std::vector<double> rows(p.node_count(), system.platens.present ? system.platens.node_stiffness : 0.0);
+  for (std::size_t t = 0; t < p.triangle_count(); ++t) {
+    double sum[3][2] = {};
+    for (int j = 0; j < 3; ++j) {
+      for (int axis = 0; axis < 2; ++axis) {
+        std::array<Vec2, 3> u{};
+        (axis == 0 ? u[j].x : u[j].y) = 1.0;
+        const auto f = linear_triangle(p.shapes[t], u, p.elastic);
+        for (int i = 0; i < 3; ++i) {
+          sum[i][0] += std::abs(f[i].x);
+          sum[i][1] += std::abs(f[i].y);
+        }
+      }
+    }
+    for (int i = 0; i < 3; ++i) rows[p.triangles[t][i]] += std::max(sum[i][0], sum[i][1]);
+  }
+  // A contact point spreads k_t and k_s over two ends and both sides; |n| and |t| components add up to at most sqrt(2) each.
+  for (const ContactEdge& e : system.contacts.edges) {
+    const double row = 0.5 * e.length * 2.0 * std::sqrt(2.0) * (system.contacts.law.k_t + system.contacts.law.k_s);
+    for (int node : {e.left1, e.left2, e.right1, e.right2}) rows[node] += row;
+  }
+  return rows;
+}
+
+}  // namespace
+
+double critical_time_step(const System& system, const ParallelLoops& loops) {
+  const std::vector<double>& mass = system.particles.mass;
+  std::vector<Vec2> u = random_start(mass.size());
+  double eigenvalue = 0.0;
+  for (int iteration = 0; iteration < 2000; ++iteration) {
+    double size = 0.0;
+    for (std::size_t i = 0; i < u.size(); ++i) size += mass[i] * dot(u[i], u[i]);
+    for (Vec2& v : u) v = (1.0 / std::sqrt(size)) * v;
+    const std::vector<Vec2> ku = apply_stiffness(system, u, loops);
+    double rayleigh = 0.0;
+    for (std::size_t i = 0; i < u.size(); ++i) rayleigh += dot(u[i], ku[i]);
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = (1.0 / mass[i]) * ku[i];
+    const double change = std::abs(rayleigh - eigenvalue);
+    eigenvalue = rayleigh;
+    if (iteration > 20 && change < 1e-5 * eigenvalue) return 2.0 / std::sqrt(eigenvalue);
+  }
+  throw Error(ErrorKind::numerical, "the power iteration for the stable time step did not converge in 2000 iterations");
+}
+
+double scale_masses(System& system, double time_step, double safety_factor) {
+  const std::vector<double> rows = gershgorin_rows(system);
+  const double step = time_step / safety_factor;
+  double before = 0.0, added = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double needed = 0.25 * rows[i] * step * step;
+    before += system.particles.mass[i];
+    if (needed > system.particles.mass[i]) {
+      added += needed - system.particles.mass[i];
+      system.particles.mass[i] = needed;
+    }
+  }
+  return added / before;
+}
+
+}  // namespace asperity

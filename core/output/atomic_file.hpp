@@ -1,0 +1,16 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace asperity {
+
+/// Writes the bytes beside `path` (as `path` + ".tmp"), syncs and renames, so a reader sees the old file or the new
+/// one, never a part. The folder must exist and have one writer. Throws Error(output) with path and reason; the old
+/// file stays.
+void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// All bytes of a file. Throws Error(output) with path and reason.
+std::string read_file(const std::filesystem::path& path);
+
+}  // namespace asperity

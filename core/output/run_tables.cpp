@@ -1,0 +1,115 @@
+#include "core/output/run_tables.hpp"
+
+#include "core/measurement/crack_network.hpp"
+#include "core/measurement/sample.hpp"
+
+namespace asperity {
+namespace {
+
+/// One column with the way to its value, so that names and values cannot get out of step.
+template <class Row>
+struct Column {
+  const char* name;
+  CsvCell (*cell)(const Row&);
+};
+
+const char* word_of(BreakMode mode) {
+  switch (mode) {
+    case BreakMode::tension:
+      return "tension";
+    case BreakMode::shear:
+      return "shear";
+    case BreakMode::none:
+      break;
+  }
+  return "none";
+}
+
+const std::vector<Column<Sample>>& curve_table() {
+  static const std::vector<Column<Sample>> table{
+      {"time_s", [](const Sample& s) -> CsvCell { return s.time_s; }},
+      {"platen_displacement_mm", [](const Sample& s) -> CsvCell { return s.closure_mm; }},
+      {"axial_strain", [](const Sample& s) -> CsvCell { return s.axial_strain; }},
+      {"gauge_axial_strain", [](const Sample& s) -> CsvCell { return s.gauge_axial_strain; }},
+      {"lateral_strain", [](const Sample& s) -> CsvCell { return s.lateral_strain; }},
+      {"axial_stress_mpa", [](const Sample& s) -> CsvCell { return s.stress_mpa; }},
+      {"load_n_per_mm", [](const Sample& s) -> CsvCell { return s.load_n_per_mm; }},
+      {"reaction_bottom_n", [](const Sample& s) -> CsvCell { return s.reaction_bottom_n; }},
+      {"reaction_top_n", [](const Sample& s) -> CsvCell { return s.reaction_top_n; }},
+      {"confining_pressure_mpa", [](const Sample& s) -> CsvCell { return s.confining_pressure_mpa; }},
+      {"cracks_tension", [](const Sample& s) -> CsvCell { return s.cracks_tension; }},
+      {"cracks_shear", [](const Sample& s) -> CsvCell { return s.cracks_shear; }},
+      {"contacts_softening", [](const Sample& s) -> CsvCell { return s.contacts_softening; }},
+  };
+  return table;
+}
+
+const std::vector<Column<Sample>>& energy_table() {
+  static const std::vector<Column<Sample>> table{
+      {"external_work_n_mm", [](const Sample& s) -> CsvCell { return s.energy.external_work; }},
+      {"elastic_n_mm", [](const Sample& s) -> CsvCell { return s.energy.elastic; }},
+      {"recoverable_n_mm", [](const Sample& s) -> CsvCell { return s.energy.recoverable; }},
+      {"fracture_n_mm", [](const Sample& s) -> CsvCell { return s.energy.fracture; }},
+      {"friction_n_mm", [](const Sample& s) -> CsvCell { return s.energy.friction; }},
+      {"damping_n_mm", [](const Sample& s) -> CsvCell { return s.energy.damping; }},
+      {"kinetic_n_mm", [](const Sample& s) -> CsvCell { return s.energy.kinetic; }},
+      {"created_by_law_n_mm", [](const Sample& s) -> CsvCell { return s.energy.created_by_law; }},
+      {"closure_error_n_mm", [](const Sample& s) -> CsvCell { return s.energy.error(); }},
+  };
+  return table;
+}
+
+const std::vector<Column<Crack>>& crack_table() {
+  static const std::vector<Column<Crack>> table{
+      {"contact", [](const Crack& c) -> CsvCell { return c.contact; }},
+      {"mode", [](const Crack& c) -> CsvCell { return word_of(c.mode); }},
+      {"time_s", [](const Crack& c) -> CsvCell { return c.time_s; }},
+      {"x_mm", [](const Crack& c) -> CsvCell { return c.place.x; }},
+      {"y_mm", [](const Crack& c) -> CsvCell { return c.place.y; }},
+      {"orientation_deg", [](const Crack& c) -> CsvCell { return c.orientation_deg; }},
+      {"length_mm", [](const Crack& c) -> CsvCell { return c.length_mm; }},
+      {"energy_n", [](const Crack& c) -> CsvCell { return c.energy_n_mm; }},
+  };
+  return table;
+}
+
+template <class Row>
+std::vector<std::string> names_of(const std::vector<Column<Row>>& table) {
+  std::vector<std::string> names;
+  for (const Column<Row>& column : table) names.emplace_back(column.name);
+  return names;
+}
+
+template <class Row>
+std::vector<CsvCell> cells_of(const std::vector<Column<Row>>& table, const Row& row) {
+  std::vector<CsvCell> cells;
+  for (const Column<Row>& column : table) cells.push_back(column.cell(row));
+  return cells;
+}
+
+/// energy.csv begins with the curve's time and strain; curves.csv ends with the energies.
+template <class Item>
+std::vector<Item> joined(std::vector<Item> first, const std::vector<Item>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+}  // namespace
+
+std::vector<std::string> curve_columns() { return joined(names_of(curve_table()), names_of(energy_table())); }
+
+std::vector<std::string> energy_columns() { return joined({"time_s", "axial_strain"}, names_of(energy_table())); }
+
+std::vector<std::string> crack_columns() { return names_of(crack_table()); }
+
+std::vector<CsvCell> curve_row(const Sample& sample) {
+  return joined(cells_of(curve_table(), sample), cells_of(energy_table(), sample));
+}
+
+std::vector<CsvCell> energy_row(const Sample& sample) {
+  return joined({sample.time_s, sample.axial_strain}, cells_of(energy_table(), sample));
+}
+
+std::vector<CsvCell> crack_row(const Crack& crack) { return cells_of(crack_table(), crack); }
+
+}  // namespace asperity

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/output/csv.hpp"
+
+namespace asperity {
+
+struct Sample;
+struct Crack;
+
+/// Columns and rows of a run's tables, in one order; outputs/README.md says what each column is.
+std::vector<std::string> curve_columns();
+std::vector<std::string> energy_columns();
+std::vector<std::string> crack_columns();
+
+std::vector<CsvCell> curve_row(const Sample& sample);
+std::vector<CsvCell> energy_row(const Sample& sample);
+std::vector<CsvCell> crack_row(const Crack& crack);
+
+}  // namespace asperity

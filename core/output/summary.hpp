@@ -1,0 +1,25 @@
+#pragma once
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// summary.json: what a run found. Every key carries its unit; a value that was not reached is null.
+struct Summary {
+  nlohmann::ordered_json experiment = nlohmann::ordered_json::object();
+  nlohmann::ordered_json results = nlohmann::ordered_json::object();
+  nlohmann::ordered_json energy = nlohmann::ordered_json::object();
+  nlohmann::ordered_json cracks = nlohmann::ordered_json::object();
+  nlohmann::ordered_json cost = nlohmann::ordered_json::object();
+  std::vector<std::string> warnings;
+};
+
+/// Replaces the file atomically, keys in the order of the struct. Throws Error(output).
+void write_summary(const std::filesystem::path& path, const Summary& summary);
+
+/// Throws Error(output) where the file is missing, no JSON, or lacks one of the six keys.
+Summary read_summary(const std::filesystem::path& path);
+
+}  // namespace asperity

@@ -1,0 +1,53 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "render/drawing.hpp"
+#include "render/range.hpp"
+
+namespace asperity::render {
+
+struct Tick {
+  double value = 0;
+  std::string label;
+};
+
+/// A scale with round ticks. `label` names quantity and unit, with a power of ten where the numbers are awkward.
+struct Axis {
+  Range range;
+  std::vector<Tick> ticks;
+  std::string label;
+};
+
+/// A scale over exactly `range`, or a little around an empty one, with about `parts` round ticks.
+Axis make_axis(Range range, const std::string& label, int parts);
+
+/// A number with a true minus sign and the decimals that tell steps of `step` apart.
+std::string tick_label(double value, double step);
+
+/// Ten to an integer power with superscript digits: "10⁻³".
+std::string power_of_ten(int exponent);
+
+/// Two axes and where they are drawn; `second_y`, with its ticks on the right, if it has any.
+struct PlotArea {
+  Box box;
+  Axis x, y, second_y;
+  Vec2 place(double x_value, double y_value) const;
+  Vec2 place_second(double x_value, double y_value) const;
+};
+
+/// Sizes of an area's texts and lines, in pixels.
+struct AxesStyle {
+  double tick_size = 26, label_size = 28, line_width = 2;
+};
+
+/// The area whose axes, tick labels and axis labels together fill `outer`.
+PlotArea fit_axes(const Box& outer, Axis x, Axis y, Axis second_y, const AxesStyle& style);
+
+/// The pale lines at the ticks of x and of the left y, which go under the data.
+void draw_grid(Drawing& drawing, const PlotArea& area, const AxesStyle& style);
+
+/// Frame, ticks and labels, which go over the data.
+void draw_axes(Drawing& drawing, const PlotArea& area, const AxesStyle& style);
+
+}  // namespace asperity::render

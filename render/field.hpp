@@ -1,0 +1,41 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/measurement/frame.hpp"
+#include "render/colour_map.hpp"
+#include "render/range.hpp"
+
+namespace asperity::render {
+
+/// What a picture can show.
+enum class Field { cracks, damage, stress, compressive_stress, shear_stress, fragments, displacement };
+
+/// All fields, in the order of the enumeration.
+const std::vector<Field>& all_fields();
+
+/// The name on the command line and in file names, as in the enumeration.
+std::string_view field_name(Field field);
+
+/// The field of that name, if there is one.
+std::optional<Field> field_from_name(std::string_view name);
+
+/// How a field with a colour bar is coloured. `label` names quantity and unit.
+struct FieldColours {
+  ColourMap map = ColourMap::viridis;
+  std::string label;
+};
+
+/// Nothing for cracks and fragments, which have a legend instead.
+std::optional<FieldColours> field_colours(Field field);
+
+/// One value per triangle: MPa (compressive stress: compression positive), mm, or damage; empty for cracks, fragments.
+std::vector<double> field_values(const Frame& frame, Field field);
+
+/// The colour range of values of one frame: 0 to 1 for damage, symmetric about 0 for stress, else from 0; robust
+/// percentiles, so that single contacts about to break do not pale all others.
+Range field_range(Field field, const std::vector<double>& values);
+
+}  // namespace asperity::render

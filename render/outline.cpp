@@ -1,0 +1,48 @@
+#include "render/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace asperity::render {
+namespace {
+
+constexpr double kSamePlacePerMm = 1e3;  // edges whose middles round to the same micrometre are the same
+
+struct Edge {
+  std::pair<long long, long long> middle;
+  std::array<int, 2> nodes;
+};
+
+std::vector<Edge> all_edges(const Frame& frame) {
+  const auto before_loading = [&](int node) {
+    const auto i = static_cast<std::size_t>(node);
+    return frame.position[i] - frame.displacement[i];
+  };
+  std::vector<Edge> edges;
+  edges.reserve(3 * frame.triangles.size());
+  for (const auto& triangle : frame.triangles)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::array<int, 2> nodes{triangle[c], triangle[(c + 1) % 3]};
+      const Vec2 twice = before_loading(nodes[0]) + before_loading(nodes[1]);
+      edges.push_back({{std::llround(kSamePlacePerMm * twice.x), std::llround(kSamePlacePerMm * twice.y)}, nodes});
+    }
+  return edges;
+}
+
+}  // namespace
+
+std::vector<std::array<int, 2>> outline_edges(const Frame& frame) {
+  std::vector<Edge> edges = all_edges(frame);
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge& a, const Edge& b) { return std::pair(a.middle, a.nodes) < std::pair(b.middle, b.nodes); });
+  std::vector<std::array<int, 2>> outline;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool shared = (i > 0 && edges[i - 1].middle == edges[i].middle) ||
+                        (i + 1 < edges.size() && edges[i + 1].middle == edges[i].middle);
+    if (!shared) outline.push_back(edges[i].nodes);
+  }
+  return outline;
+}
+
+}  // namespace asperity::render

@@ -1,0 +1,12 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "core/measurement/frame.hpp"
+
+namespace asperity::render {
+
+/// The node pairs of the specimen's outline: triangle edges that no other triangle shared before loading.
+std::vector<std::array<int, 2>> outline_edges(const Frame& frame);
+
+}  // namespace asperity::render

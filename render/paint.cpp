@@ -1,0 +1,182 @@
+#include "render/paint.hpp"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <cmath>
+#include <mutex>
+
+#include "render/file.hpp"
+#include "render/offscreen/gl_context.hpp"
+#include "render/tessellate.hpp"
+#include "render/text_metrics.hpp"
+
+namespace asperity::render {
+namespace {
+
+constexpr int kSamples = 4;         // more is not given by llvmpipe
+constexpr int kPngCompression = 1;  // 9 takes eight times as long for 3 % less
+
+vtkNew<vtkPolyData> to_poly_data(const std::vector<Triangle>& triangles, int height) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkUnsignedCharArray> colours;
+  vtkNew<vtkIdTypeArray> connectivity, offsets;
+  const vtkIdType n = static_cast<vtkIdType>(triangles.size());
+  points->SetNumberOfPoints(3 * n);
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(3 * n);
+  connectivity->SetNumberOfValues(3 * n);
+  offsets->SetNumberOfValues(n + 1);
+  for (vtkIdType i = 0; i < 3 * n; ++i) {
+    const Triangle& triangle = triangles[static_cast<std::size_t>(i / 3)];
+    const Vec2 corner = triangle.corners[static_cast<std::size_t>(i % 3)];
+    points->SetPoint(i, corner.x, height - corner.y, 0);
+    const unsigned char rgb[3] = {triangle.fill.r, triangle.fill.g, triangle.fill.b};
+    colours->SetTypedTuple(i, rgb);
+    connectivity->SetValue(i, i);
+  }
+  for (vtkIdType i = 0; i <= n; ++i) offsets->SetValue(i, 3 * i);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetPointData()->SetScalars(colours);
+  return data;
+}
+
+vtkNew<vtkActor> to_actor(vtkPolyData* data) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetColorModeToDirectScalars();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+void style_text(vtkTextProperty* property, const Text& text) {
+  property->SetFontFamily(VTK_FONT_FILE);
+  property->SetFontFile(font_file(text.weight).c_str());
+  property->SetFontSize(static_cast<int>(std::lround(text.size)));
+  property->SetColor(text.colour.r / 255.0, text.colour.g / 255.0, text.colour.b / 255.0);
+  property->SetOrientation(text.direction == Direction::upwards ? 90 : 0);
+  property->SetVerticalJustificationToBottom();
+  property->SetJustification(text.anchor == Anchor::left    ? VTK_TEXT_LEFT
+                             : text.anchor == Anchor::right ? VTK_TEXT_RIGHT
+                                                            : VTK_TEXT_CENTERED);
+}
+
+/// VTK places the line's bottom, we place its baseline.
+Vec2 line_bottom(const Text& text) {
+  const double descent = text_descent(text.size);
+  return text.at + (text.direction == Direction::upwards ? Vec2{descent, 0} : Vec2{0, descent});
+}
+
+vtkNew<vtkTextActor> to_actor(const Text& text, int height) {
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.text.c_str());
+  actor->SetTextScaleModeToNone();
+  style_text(actor->GetTextProperty(), text);
+  const Vec2 at = line_bottom(text);
+  actor->SetDisplayPosition(static_cast<int>(std::lround(at.x)), height - static_cast<int>(std::lround(at.y)));
+  return actor;
+}
+
+/// The one window of the process. Its context is made before it and destroyed after it.
+class Painter {
+ public:
+  Painter() {
+    context_.make_current();
+    window_ = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
+    window_->SetIsCurrent(true);
+    window_->SetSupportsOpenGL(1);
+    window_->SetFrameBlitModeToNoBlit();
+    window_->SetOffScreenRendering(1);
+    window_->SetMultiSamples(kSamples);
+    window_->SetDPI(72);
+    context_.release();
+  }
+
+  ~Painter() {
+    context_.make_current();
+    window_ = nullptr;
+  }
+
+  std::string png(const Drawing& drawing) {
+    context_.make_current();
+    const auto renderer = scene(drawing);
+    window_->SetSize(drawing.width, drawing.height);
+    window_->AddRenderer(renderer);
+    window_->Render();
+    std::string bytes = grab();
+    window_->RemoveRenderer(renderer);
+    renderer->ReleaseGraphicsResources(window_);
+    context_.release();
+    return bytes;
+  }
+
+ private:
+  static vtkNew<vtkRenderer> scene(const Drawing& drawing) {
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetBackground(1, 1, 1);
+    renderer->AddActor(to_actor(to_poly_data(tessellate(drawing), drawing.height)));
+    for (const Shape& shape : drawing.shapes)
+      if (const Text* text = std::get_if<Text>(&shape); text && !text->text.empty())
+        renderer->AddActor2D(to_actor(*text, drawing.height));
+    vtkCamera* camera = renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetFocalPoint(0.5 * drawing.width, 0.5 * drawing.height, 0);
+    camera->SetPosition(0.5 * drawing.width, 0.5 * drawing.height, 1);
+    camera->SetParallelScale(0.5 * drawing.height);
+    camera->SetClippingRange(0.5, 1.5);
+    return renderer;
+  }
+
+  std::string grab() {
+    vtkNew<vtkWindowToImageFilter> image;
+    image->SetInput(window_);
+    image->SetInputBufferTypeToRGB();
+    image->ReadFrontBufferOff();
+    image->ShouldRerenderOff();
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection(image->GetOutputPort());
+    writer->SetCompressionLevel(kPngCompression);
+    writer->WriteToMemoryOn();
+    writer->Write();
+    const vtkUnsignedCharArray* result = writer->GetResult();
+    auto* bytes = const_cast<vtkUnsignedCharArray*>(result);
+    return {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())};
+  }
+
+  GlContext context_;
+  vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
+};
+
+std::string paint(const Drawing& drawing) {
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  static Painter painter;
+  return painter.png(drawing);
+}
+
+}  // namespace
+
+void write_png(const Drawing& drawing, const std::filesystem::path& path) { write_file(path, paint(drawing)); }
+
+}  // namespace asperity::render

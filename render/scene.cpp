@@ -1,0 +1,124 @@
+#include "render/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/paint.hpp"
+#include "render/series.hpp"
+#include "render/side_panel.hpp"
+#include "render/specimen.hpp"
+#include "render/style.hpp"
+#include "render/text_metrics.hpp"
+
+namespace asperity::render {
+namespace {
+
+// Pixels of the standard picture, 1600 x 1200.
+constexpr double kMargin = 36, kHeader = 142, kScaleBarRow = 62, kBetween = 48;
+constexpr double kNarrowPanel = 530, kWidePanel = 860;
+constexpr double kInsetAspect = 1.15, kInsetPart = 0.76;  // highest inset: of its width, of the panel's height
+constexpr double kBelowKey = 44;
+
+Text line(Vec2 at, const std::string& text, double size, Weight weight, Colour colour) {
+  return {at, text, size, Anchor::left, weight, Direction::across, colour};
+}
+
+std::string state_of(const Frame& frame, const PictureOptions& options) {
+  const ExperimentTexts texts = experiment_texts(frame);
+  const auto number = [](const char* format, double value) {
+    const std::string text = fmt::format(fmt::runtime(format), std::abs(value));
+    const bool zero = text.find_first_of("123456789") == std::string::npos;
+    return value < 0 && !zero ? "−" + text : text;
+  };
+  std::string text = "Time " + number("{:.3f}", 1e3 * frame.time_s) + " ms  ·  " + texts.strain + " " +
+                     number("{:.3f}", 100 * frame.axial_strain) + " %  ·  " + texts.stress + " " +
+                     number("{:.2f}", frame.stress_mpa) + " MPa";
+  if (frame.confining_pressure_mpa != 0)
+    text += "  ·  Confining pressure " + number("{:.2f}", frame.confining_pressure_mpa) + " MPa";
+  if (options.displacement_scale != 1) text += fmt::format("  ·  Displacements × {:g}", options.displacement_scale);
+  return text;
+}
+
+void draw_header(Drawing& drawing, const Frame& frame, const PictureOptions& options, double unit) {
+  const std::string experiment = experiment_texts(frame).title;
+  const std::string title = frame.name.empty() ? experiment : experiment + ": " + frame.name;
+  const std::string state = state_of(frame, options);
+  const double room = drawing.width - 2 * kMargin * unit;
+  const double title_size = fitting_size(title, style::kTitleSize * unit, Weight::bold, room);
+  const double state_size = fitting_size(state, style::kSubtitleSize * unit, Weight::regular, room);
+  drawing.shapes.push_back(line({kMargin * unit, (kMargin + 34) * unit}, title, title_size, Weight::bold, style::kInk));
+  drawing.shapes.push_back(
+      line({kMargin * unit, (kMargin + 82) * unit}, state, state_size, Weight::regular, style::kSoftInk));
+}
+
+/// The specimen's part of the picture, moved to the middle of the room the panel leaves it.
+View place_view(const Frame& frame, const Drawing& drawing, double unit) {
+  const Box room{kMargin * unit, kHeader * unit, drawing.width - (kMargin + kBetween + kNarrowPanel) * unit,
+                 drawing.height - (kMargin + kScaleBarRow) * unit};
+  View view = fit_view(frame, room);
+  const double widest = drawing.width - (kMargin + kBetween + kWidePanel) * unit;
+  view.area.right = std::max(view.area.right, widest);
+  return view;
+}
+
+}  // namespace
+
+Drawing draw_picture(const Frame& frame, const PictureOptions& options) {
+  Drawing drawing{options.width, options.height, {}};
+  const double unit = std::min(options.width / 1600.0, options.height / 1200.0);
+  const View view = place_view(frame, drawing, unit);
+  draw_specimen(drawing, frame, options, view, unit);
+  draw_scale_bar(drawing, view, unit);
+  draw_header(drawing, frame, options, unit);
+  Box panel{view.area.right + kBetween * unit, kHeader * unit, drawing.width - kMargin * unit,
+            drawing.height - kMargin * unit};
+  const double key_end = draw_key(drawing, frame, options, panel, unit);
+  panel.top = std::max(key_end + kBelowKey * unit,
+                       panel.bottom - std::min(kInsetAspect * panel.width(), kInsetPart * panel.height()));
+  draw_inset(drawing, frame, options, panel, unit);
+  return drawing;
+}
+
+void draw_frame(const Frame& frame, const PictureOptions& options, const std::filesystem::path& png) {
+  write_png(draw_picture(frame, options), png);
+}
+
+SeriesRanges ranges_over_series(const std::filesystem::path& run_dir, const std::vector<Field>& fields) {
+  SeriesRanges ranges{std::vector<std::optional<Range>>(fields.size()), {}, {}};
+  const int count = static_cast<int>(series_times(run_dir).size());
+  for (int index = 0; index < count; ++index) {
+    const Frame frame = read_frame(run_dir, index);
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      if (!field_colours(fields[f])) continue;
+      const Range range = field_range(fields[f], field_values(frame, fields[f]));
+      ranges.colours[f] = ranges.colours[f] ? united(*ranges.colours[f], range) : range;
+    }
+    ranges.strain = range_of(frame.curve.axial_strain);
+    ranges.stress = range_of(frame.curve.stress_mpa);
+  }
+  return ranges;
+}
+
+std::optional<Range> range_over_series(const std::filesystem::path& run_dir, Field field) {
+  return ranges_over_series(run_dir, {field}).colours.front();
+}
+
+void draw_series(const std::filesystem::path& run_dir, const std::vector<Field>& fields, const std::vector<int>& frames,
+                 const PictureOptions& options) {
+  const SeriesRanges ranges = ranges_over_series(run_dir, fields);
+  for (const int index : frames) {
+    const Frame frame = read_frame(run_dir, index);
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      PictureOptions picture = options;
+      picture.field = fields[f];
+      if (!picture.colour_range) picture.colour_range = ranges.colours[f];
+      if (!picture.strain_range) picture.strain_range = ranges.strain;
+      if (!picture.stress_range) picture.stress_range = ranges.stress;
+      draw_frame(frame, picture, run_dir / "frames" / fmt::format("{}_{:06}.png", field_name(fields[f]), index));
+    }
+  }
+}
+
+}  // namespace asperity::render

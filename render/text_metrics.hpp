@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+
+#include "render/drawing.hpp"
+
+namespace asperity::render {
+
+/// The font file of a weight (DejaVu Sans). Errors: Error(output) with the package to install if it is missing.
+std::string font_file(Weight weight);
+
+/// Width of a line of UTF-8 text in pixels. Errors: as font_file.
+double text_width(const std::string& text, double size, Weight weight = Weight::regular);
+
+/// `size`, or the smaller size at which the text is no wider than `available` pixels.
+double fitting_size(const std::string& text, double size, Weight weight, double available);
+
+/// How far the font reaches below the baseline, in pixels.
+double text_descent(double size);
+
+/// The rectangle a text covers, from its ascenders to its descenders, in pixels.
+Box text_box(const Text& text);
+
+}  // namespace asperity::render

@@ -1,0 +1,35 @@
+#include "core/output/summary.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "core/base/error.hpp"
+#include "core/output/atomic_file.hpp"
+#include "tests/unit/output/scratch.hpp"
+
+using namespace asperity;
+using asperity::testing::fresh_folder;
+
+TEST_CASE("a summary keeps the order of its keys and reads back") {
+  const auto path = fresh_folder("summary") / "summary.json";
+  Summary summary;
+  summary.experiment = {{"type", "brazilian"}, {"name", "quickstart"}};
+  summary.results = {{"tensile_strength_mpa", 1.61}, {"peak_axial_strain", 0.01}};
+  summary.warnings = {"one"};
+  write_summary(path, summary);
+  CHECK_THAT(
+      read_file(path),
+      Catch::Contains("{\n  \"experiment\": {\n    \"type\": \"brazilian\",\n    \"name\": \"quickstart\"\n  },\n"
+                      "  \"results\": {\n    \"tensile_strength_mpa\": 1.61,\n    \"peak_axial_strain\": 0.01\n"
+                      "  },\n  \"energy\": {},\n  \"cracks\": {},\n  \"cost\": {},\n  \"warnings\": ["));
+  const Summary back = read_summary(path);
+  CHECK(back.results == summary.results);
+  CHECK(back.warnings == summary.warnings);
+}
+
+TEST_CASE("a file that is no summary is told by its path") {
+  const auto path = fresh_folder("summary_bad") / "summary.json";
+  write_file_atomically(path, "{\"experiment\": {}}");
+  CHECK_THROWS_WITH(read_summary(path), Catch::Contains("summary.json: is no summary"));
+  write_file_atomically(path, "{");
+  CHECK_THROWS_AS(read_summary(path), Error);
+}
