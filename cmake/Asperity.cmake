@@ -5,6 +5,8 @@ add_library(asperity_flags INTERFACE)
 target_compile_options(asperity_flags INTERFACE -ffp-contract=off -fno-math-errno)
 add_library(asperity_warnings INTERFACE)
 target_compile_options(asperity_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+# g++ 12 reports false positives of these two in inlined std::string and std::variant (GCC bugs 105651, 105562).
+target_compile_options(asperity_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>)
 if(ASPERITY_WARNINGS_AS_ERRORS)
   target_compile_options(asperity_warnings INTERFACE -Werror)
 endif()

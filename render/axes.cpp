@@ -28,9 +28,8 @@ std::string with_power(const std::string& label, int exponent) {
   if (exponent == 0) return label;
   const std::size_t unit = label.rfind('[');
   if (unit == std::string::npos) return label + " [" + power_of_ten(exponent) + "]";
-  const std::string gap = label.compare(unit, 3, "[–]") == 0 ? "" : " ";
-  std::string text = label.substr(0, unit + 1) + power_of_ten(exponent) + gap + label.substr(unit + 1);
-  return text;
+  const std::string rest = label.substr(unit + 1), none = "–]";
+  return label.substr(0, unit + 1) + power_of_ten(exponent) + (rest == none ? "]" : " " + rest);
 }
 
 double widest(const Axis& axis, double size) {
@@ -52,7 +51,7 @@ double bottom_room(const Axis& axis, const AxesStyle& style) {
 
 void draw_x_axis(Drawing& drawing, const PlotArea& area, const AxesStyle& style) {
   const double gap = kGap * style.tick_size;
-  const double baseline = area.box.bottom + gap + 0.9 * style.tick_size;
+  const double baseline = area.box.bottom + gap + 1.1 * style.tick_size;
   for (const Tick& tick : area.x.ticks) {
     const double x = std::round(area.place(tick.value, area.y.range.low).x);
     add_line(drawing, {x, area.box.bottom}, {x, area.box.bottom + kTickLength * style.tick_size},

@@ -13,7 +13,7 @@ namespace asperity::render {
 namespace {
 
 constexpr double kSideMargin = 0.05;                                 // of the specimen's width, at either side
-constexpr double kPlatenThickness = 0.032;                           // of the specimen's larger side
+constexpr double kPlatenThickness = 0.026;                           // of the specimen's larger side
 constexpr double kPlatenOverDisc = 0.6, kPlatenOverRectangle = 1.1;  // widths of the platens, of the specimen's width
 constexpr double kOutlineHalfWidth = 0.55;                           // pixels of the standard picture
 constexpr double kOutlinesFromRadius = 3;  // pixels of the inscribed circle; below, outlines would hide the field

@@ -14,6 +14,7 @@ bool is_disc(const RunConfig& config) { return config.experiment.type == Experim
 bool is_compression(const RunConfig& config) { return !is_disc(config); }
 bool is_triaxial(const RunConfig& config) { return config.experiment.type == ExperimentType::triaxial; }
 bool is_staged(const RunConfig& config) { return config.experiment.loading.mode == LoadingMode::staged; }
+bool has_holds(const RunConfig& config) { return is_staged(config) || is_triaxial(config); }
 bool is_continuous(const RunConfig& config) { return !is_staged(config); }
 bool is_voronoi(const RunConfig& config) { return config.particles.kind == ParticleKind::voronoi; }
 
@@ -39,7 +40,8 @@ const std::vector<ConditionalKey>& conditional_keys() {
        "remove it: compression starts from a linear velocity field"},
       {"/experiment/loading/ramp_time_s", kMode, is_continuous, continuous, "remove it: stages have no ramp"},
       {"/experiment/loading/stage_displacement_mm", kMode, is_staged, staged, staged_hint},
-      {"/experiment/loading/hold_kinetic_ratio", kMode, is_staged, staged, staged_hint},
+      {"/experiment/loading/hold_kinetic_ratio", kMode, has_holds,
+       "only in staged loading and in a triaxial test's confinement", staged_hint},
       {"/experiment/loading/hold_time_s", kMode, is_staged, staged, staged_hint},
       {"/particles/grain_size_mm", kKind, is_voronoi, "only for voronoi grains",
        "remove it, or set /particles/kind to \"voronoi\""},

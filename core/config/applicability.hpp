@@ -10,7 +10,7 @@ namespace asperity {
 /// configuration leaves it out there.
 struct ConditionalKey {
   std::string_view pointer;
-  std::string_view decided_by;  ///< Pointer of the key that decides.
+  std::string_view decided_by;  ///< Pointer of the key that decides, if need be together with /experiment/type.
   bool (*applies)(const RunConfig& config);
   std::string_view allowed;  ///< Where it has a meaning, in words.
   std::string_view hint;

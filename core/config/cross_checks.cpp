@@ -65,7 +65,7 @@ Result edge_too_long(const RunConfig& config) {
   constexpr double kEdgesAcross = 5.0;
   const double dimension = smallest_dimension(config);
   if (config.particles.edge_mm <= dimension / kEdgesAcross) return {};
-  return fault_at(config, kEdge, "edge_mm is too long for the specimen",
+  return fault_at(config, kEdge, "is too long for the specimen",
                   "at most " + rounded(dimension / kEdgesAcross) +
                       " mm, a fifth of the specimen's smallest dimension, " + number_text(dimension) + " mm",
                   "shorten the edges, or make the specimen larger");
@@ -75,7 +75,7 @@ Result too_many_triangles(const RunConfig& config) {
   constexpr double kMostTriangles = 5e6;  // some kB each: the memory of a large workstation
   const double triangles = estimated_triangles(config);
   if (triangles <= kMostTriangles) return {};
-  return fault_at(config, kEdge, "edge_mm makes about " + rounded(triangles) + " triangles",
+  return fault_at(config, kEdge, "makes about " + rounded(triangles) + " triangles",
                   "up to " + rounded(kMostTriangles) + " triangles",
                   "lengthen the edges, or make the specimen smaller");
 }
@@ -186,7 +186,7 @@ Fault misplaced(const RunConfig& config, const ConditionalKey& key) {
 std::vector<Fault> misplaced_keys(const RunConfig& config, const KeyNotes& notes) {
   std::vector<Fault> faults;
   for (const ConditionalKey& key : conditional_keys()) {
-    if (key.applies(config) || any_faulty({key.pointer, key.decided_by}, notes)) continue;
+    if (key.applies(config) || any_faulty({key.pointer, key.decided_by, kType}, notes)) continue;
     const bool named = !faults.empty() && faults.back().where == key.pointer;
     if (!named && is_given(config, key.pointer, notes)) faults.push_back(misplaced(config, key));
   }

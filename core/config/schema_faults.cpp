@@ -1,5 +1,6 @@
 #include "core/config/schema_faults.hpp"
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string>
@@ -104,12 +105,16 @@ std::vector<Fault> faults_of(const Finding& finding, const json& document, const
   return {value_fault(finding, document, schema)};
 }
 
-valijson::ValidationResults findings(const json& document, const json& schema) {
+/// In valijson's order, but wrong types first: they are the cause of what else is wrong with the value.
+std::vector<Finding> findings(const json& document, const json& schema) {
   valijson::Schema parsed;
   valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), parsed);
   valijson::ValidationResults results;
   valijson::Validator().validate(parsed, valijson::adapters::NlohmannJsonAdapter(document), &results);
-  return results;
+  std::vector<Finding> ordered(results.begin(), results.end());
+  std::stable_partition(ordered.begin(), ordered.end(),
+                        [](const Finding& finding) { return finding.description.starts_with(kWrongType); });
+  return ordered;
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ Sample measure(const Model& model, const RunState& state, const ParallelLoops& l
   s.cracks_tension = cracks.tension;
   s.cracks_shear = cracks.shear;
   s.contacts_softening = cracks.softening;
-  s.energy = energy_balance(system, loops);
+  s.energy = energy_balance(system, loops).times(e.thickness_mm);
   return s;
 }
 
@@ -126,6 +126,7 @@ void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, c
       }
     }
     update_positions(system, loops);
+    if (state.steps_in_sample == 0 && observer.between_steps) observer.between_steps();
     if (state.stop == StopReason::running && observer.interrupted && observer.interrupted()) state.stop = StopReason::interrupted;
   }
 }

@@ -23,6 +23,7 @@ struct RunObserver {
   std::function<void(const Frame&)> on_frame;
   std::function<void(const RunProgress&)> on_progress;
   std::function<bool()> interrupted;
+  std::function<void()> between_steps;  ///< After every sample's step, when the state may be written to a checkpoint.
 };
 
 /// Why the loop ended.
@@ -38,7 +39,6 @@ struct RunState {
   int frames = 0;
   double next_frame_strain = 0;
   double kinetic_ratio = 1;
-  double peak_kinetic_ratio = 0;   ///< Largest kinetic over elastic energy before the peak, once a tenth of it is reached.
   int samples_below = 0;           ///< Consecutive samples below the stop fraction of the peak.
   StopReason stop = StopReason::running;
 };

@@ -26,8 +26,8 @@ struct Relaxed {
 
 Regularity measure_regularity(const std::vector<Vec2>& points, const Triangulation& mesh);
 
-/// Moves the points as if every edge were a spring, Eq. (G2) and Eq. (G3), with a new Delaunay triangulation after every
-/// move, until the goal is met or its iterations are used up; the caller checks which.
+/// Moves the points as if every edge were a spring, Eq. (G2) and Eq. (G3), with a new Delaunay triangulation after
+/// every move, until the goal is met or its iterations are used up; the caller checks which.
 Relaxed relax(PointSet& set, const Outline& outline, const RelaxationGoal& goal);
 
 /// Moves every free point to the middle of the triangles around it, Eq. (G7), `iterations` times, and keeps the best

@@ -9,7 +9,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kMeanTolerance = 0.01;       // Half of what the contract allows.
+constexpr double kMeanTolerance = 0.02;
+constexpr double kMeanCorrected = 0.01;       // A mean further off makes the next attempt change the number of points.
 constexpr double kDeviationTolerance = 1.25;  // Over the deviation asked for.
 constexpr double kAngleMinDeg = 25.0;
 constexpr double kDartSpacing = 0.72;  // Over the edge: 93 % of the spacing at which darts saturate at this density.
@@ -51,7 +52,7 @@ Mesh triangle_mesh(const Outline& outline, const ParticleConfig& particles) {
     PointSet set = place_on_outline(outline, particles.edge_mm, std::min(scatter, kMostOutlineScatter), random);
     const Relaxed relaxed = fill(set, outline, particles, triangles, random);
     const double excess = relaxed.regularity.edge_mean_mm / particles.edge_mm;
-    if (std::abs(excess - 1.0) > kMeanTolerance) triangles *= excess * excess;
+    if (std::abs(excess - 1.0) > kMeanCorrected) triangles *= excess * excess;
     require(relaxed.regularity, particles);
     std::vector<int> own(relaxed.mesh.triangles.size());
     std::iota(own.begin(), own.end(), 0);

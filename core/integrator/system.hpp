@@ -38,6 +38,11 @@ struct EnergyBalance {
   double created_by_law = 0;    ///< Literal law only: what the law itself adds; not part of the balance.
   double sum() const { return elastic + recoverable + fracture + friction + damping + kinetic; }
   double error() const { return external_work - sum(); }
+  /// Of a specimen so many mm thick, in N mm.
+  EnergyBalance times(double thickness) const {
+    return {external_work * thickness, elastic * thickness, recoverable * thickness, fracture * thickness,
+            friction * thickness,      damping * thickness, kinetic * thickness,     created_by_law * thickness};
+  }
 };
 
 /// Sums over nodes gathered in one velocity update.

@@ -1,5 +1,6 @@
 #include "core/output/run_tables.hpp"
 
+#include "core/measurement/acoustic.hpp"
 #include "core/measurement/crack_network.hpp"
 #include "core/measurement/sample.hpp"
 
@@ -68,7 +69,21 @@ const std::vector<Column<Crack>>& crack_table() {
       {"y_mm", [](const Crack& c) -> CsvCell { return c.place.y; }},
       {"orientation_deg", [](const Crack& c) -> CsvCell { return c.orientation_deg; }},
       {"length_mm", [](const Crack& c) -> CsvCell { return c.length_mm; }},
-      {"energy_n", [](const Crack& c) -> CsvCell { return c.energy_n_mm; }},
+      {"energy_n_mm", [](const Crack& c) -> CsvCell { return c.energy_n_mm; }},
+  };
+  return table;
+}
+
+const std::vector<Column<AcousticEvent>>& event_table() {
+  static const std::vector<Column<AcousticEvent>> table{
+      {"time_s", [](const AcousticEvent& e) -> CsvCell { return e.time_s; }},
+      {"duration_s", [](const AcousticEvent& e) -> CsvCell { return e.duration_s; }},
+      {"x_mm", [](const AcousticEvent& e) -> CsvCell { return e.place.x; }},
+      {"y_mm", [](const AcousticEvent& e) -> CsvCell { return e.place.y; }},
+      {"cracks", [](const AcousticEvent& e) -> CsvCell { return e.cracks; }},
+      {"tension", [](const AcousticEvent& e) -> CsvCell { return e.tension; }},
+      {"shear", [](const AcousticEvent& e) -> CsvCell { return e.shear; }},
+      {"energy_n_mm", [](const AcousticEvent& e) -> CsvCell { return e.energy_n_mm; }},
   };
   return table;
 }
@@ -76,6 +91,7 @@ const std::vector<Column<Crack>>& crack_table() {
 template <class Row>
 std::vector<std::string> names_of(const std::vector<Column<Row>>& table) {
   std::vector<std::string> names;
+  names.reserve(table.size());
   for (const Column<Row>& column : table) names.emplace_back(column.name);
   return names;
 }
@@ -83,6 +99,7 @@ std::vector<std::string> names_of(const std::vector<Column<Row>>& table) {
 template <class Row>
 std::vector<CsvCell> cells_of(const std::vector<Column<Row>>& table, const Row& row) {
   std::vector<CsvCell> cells;
+  cells.reserve(table.size());
   for (const Column<Row>& column : table) cells.push_back(column.cell(row));
   return cells;
 }
@@ -102,6 +119,8 @@ std::vector<std::string> energy_columns() { return joined({"time_s", "axial_stra
 
 std::vector<std::string> crack_columns() { return names_of(crack_table()); }
 
+std::vector<std::string> event_columns() { return names_of(event_table()); }
+
 std::vector<CsvCell> curve_row(const Sample& sample) {
   return joined(cells_of(curve_table(), sample), cells_of(energy_table(), sample));
 }
@@ -111,5 +130,7 @@ std::vector<CsvCell> energy_row(const Sample& sample) {
 }
 
 std::vector<CsvCell> crack_row(const Crack& crack) { return cells_of(crack_table(), crack); }
+
+std::vector<CsvCell> event_row(const AcousticEvent& event) { return cells_of(event_table(), event); }
 
 }  // namespace asperity

@@ -8,14 +8,17 @@ namespace asperity {
 
 struct Sample;
 struct Crack;
+struct AcousticEvent;
 
 /// Columns and rows of a run's tables, in one order; outputs/README.md says what each column is.
 std::vector<std::string> curve_columns();
 std::vector<std::string> energy_columns();
 std::vector<std::string> crack_columns();
+std::vector<std::string> event_columns();
 
 std::vector<CsvCell> curve_row(const Sample& sample);
 std::vector<CsvCell> energy_row(const Sample& sample);
 std::vector<CsvCell> crack_row(const Crack& crack);
+std::vector<CsvCell> event_row(const AcousticEvent& event);
 
 }  // namespace asperity

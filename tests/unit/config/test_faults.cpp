@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/config/schema_faults.hpp"
 #include "fault_finder.hpp"
 
 using namespace asperity;
@@ -171,6 +172,16 @@ TEST_CASE("a faulty key brings no second fault by a cross check that needs it") 
   CHECK(refusal(R"({"experiment": {"type": "triaxial", "confining_pressure_mpa": "x"}})").faults.size() == 1);
   CHECK(refusal(R"({"experiment": {"type": "brazilian", "diameter_mm": -5}})").faults.size() == 1);
   CHECK(refusal(R"({"experiment": {"type": "triaxal", "width_mm": 54}})").faults.size() == 1);
+  // An edge of 20 mm is too long for the default disc, but nobody knows how large this one is.
+  CHECK(refusal(R"({"experiment": {"type": "brazilian", "diameter_mm": "0.5 m"}, "particles": {"edge_mm": 20}})")
+            .faults.size() == 1);
+}
+
+TEST_CASE("the schema names a value once, by its type before its range or words") {
+  const nlohmann::json schema = {{"type", "string"}, {"enum", {"a", "b"}}, {"maxLength", 5}};
+  const std::vector<Fault> faults = schema_faults(7, schema);
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].what == "must be a string");
 }
 
 TEST_CASE("long values are cut in messages") {

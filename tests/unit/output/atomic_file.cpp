@@ -32,6 +32,7 @@ TEST_CASE("a write that fails leaves the old file, and says path and reason") {
     CHECK_THAT(error.what(), Catch::Contains("--out"));
   }
   CHECK(read_file(folder / "a.json") == "old");
+  CHECK_FALSE(fs::is_symlink(folder / "a.json.tmp"));
 }
 
 TEST_CASE("writing into a folder that is not there is an output error") {

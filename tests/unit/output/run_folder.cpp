@@ -108,6 +108,11 @@ TEST_CASE("a dirty build or one of unknown revision re-uses only what the same e
   CHECK(use_of(root, kClean) == FolderUse::restart);
 }
 
+TEST_CASE("two dirty builds of which neither knows its executable are not the same code") {
+  const RunIdentity dirty{"config-1", "revision-1", true, ""};
+  CHECK(use_of(folder_with_run("rf_nameless", dirty, Outcome::finished), dirty) == FolderUse::restart);
+}
+
 TEST_CASE("another configuration in a used folder is refused unless forced") {
   const fs::path root = folder_with_run("rf_other", kClean, Outcome::finished);
   const RunIdentity other{"config-2", "revision-1", false, ""};
@@ -127,7 +132,7 @@ TEST_CASE("force starts a finished run of the same configuration again") {
 TEST_CASE("clearing removes nothing that a user put there") {
   const fs::path root = folder_with_run("rf_user", kClean, Outcome::interrupted);
   const fs::path outside = fresh_folder("rf_user_outside");
-  write_file_atomically(outside / "frames_000000.png", "mine");
+  write_file_atomically(outside / "cracks_000000.vtu", "mine");
   const std::vector<fs::path> mine{"notes.txt", "plots/paper_figure.png", "frames/best.png", "mine/curves.csv"};
   fs::create_directory(root / "mine");
   for (const fs::path& file : mine) write_file_atomically(root / file, "mine");
@@ -135,7 +140,7 @@ TEST_CASE("clearing removes nothing that a user put there") {
   fs::create_directory_symlink(outside, root / "cracks");
   RunFolder::begin(root, kClean, ExistingRun::replace);
   for (const fs::path& file : mine) CHECK(fs::exists(root / file));
-  CHECK(fs::exists(outside / "frames_000000.png"));
+  CHECK(fs::exists(outside / "cracks_000000.vtu"));
   CHECK_FALSE(fs::exists(root / "curves.csv"));
 }
 

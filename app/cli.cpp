@@ -1,0 +1,129 @@
+#include "app/cli.hpp"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <iostream>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/exit_code.hpp"
+#include "core/base/build_info.hpp"
+
+namespace asperity::app {
+namespace {
+
+using Action = std::function<int()>;
+
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+  command.add_option("--set", overrides, "Overrides a key: /json/pointer=value; may be repeated")
+      ->type_name("POINTER=VALUE")
+      ->expected(1)
+      ->take_all();
+}
+
+void add_run(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = cli.add_subcommand("run", "Runs one test into a run folder");
+  command->add_option("config", options->config, "Run configuration (JSON)")->required();
+  add_overrides(*command, options->overrides);
+  command->add_option("--out", options->out, "Run folder; default outputs/<config name>/");
+  command->add_option("--threads", options->threads, "Threads; default 1 for small meshes, all cores for large ones")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--no-render{false}", options->render, "Writes VTU files and tables but draws no picture");
+  command->add_flag("--force", options->force, "Runs again, replacing the run that lies in the folder");
+  command->add_flag("--quiet", options->quiet, "No progress on stderr");
+  command->footer("Examples:\n  asperity run configs/quickstart.json\n"
+                  "  asperity run configs/paper/uniaxial.json --set /particles/seed=7 --out outputs/seed7");
+  command->callback([options, &action] { action = [options] { return run_command(*options); }; });
+}
+
+void add_resume(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<ResumeOptions>();
+  CLI::App* command = cli.add_subcommand("resume", "Goes on with an interrupted run, to the same result");
+  command->add_option("run_dir", options->run_dir, "Run folder")->required();
+  command->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, 1024));
+  command->add_flag("--no-render{false}", options->render, "Writes VTU files and tables but draws no picture");
+  command->add_flag("--quiet", options->quiet, "No progress on stderr");
+  command->footer("Example:\n  asperity resume outputs/quickstart");
+  command->callback([options, &action] { action = [options] { return resume_command(*options); }; });
+}
+
+void add_validate(CLI::App& cli, Action& action) {
+  auto configs = std::make_shared<std::vector<std::filesystem::path>>();
+  auto overrides = std::make_shared<std::vector<std::string>>();
+  CLI::App* command = cli.add_subcommand("validate", "Makes every check of `run`, the mesh's included, and writes nothing");
+  command->add_option("config", *configs, "Run configurations (JSON)")->required();
+  add_overrides(*command, *overrides);
+  command->footer("Example:\n  asperity validate configs/paper/*.json");
+  command->callback([=, &action] { action = [=] { return validate_command(*configs, *overrides); }; });
+}
+
+void add_schema(CLI::App& cli, Action& action) {
+  auto kind = std::make_shared<std::string>("run");
+  CLI::App* command = cli.add_subcommand("schema", "Prints the JSON Schema of a kind of configuration");
+  command->add_option("kind", *kind, "run")->capture_default_str();
+  command->footer("Example:\n  asperity schema run > run.schema.json");
+  command->callback([=, &action] { action = [=] { return schema_command(*kind); }; });
+}
+
+void add_derive(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<DeriveOptions>();
+  CLI::App* command = cli.add_subcommand("derive", "Prints the closed forms of a configuration, each with its equation");
+  command->add_option("config", options->config, "Run configuration (JSON)")->required();
+  add_overrides(*command, options->overrides);
+  command->add_flag("--json", options->json, "Prints JSON");
+  command->footer("Example:\n  asperity derive configs/paper/brazilian.json");
+  command->callback([=, &action] { action = [=] { return derive_command(*options); }; });
+}
+
+void add_render(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = cli.add_subcommand("render", "Draws a finished run again, from its VTU files alone");
+  command->add_option("run_dir", options->run_dir, "Run folder")->required();
+  command->add_option("--field", options->fields, "cracks, damage, stress, shear_stress, fragments or displacement; may be repeated");
+  command->add_option("--frames", options->frames, "all, last or a frame's number")->capture_default_str();
+  command->footer("Example:\n  asperity render outputs/quickstart --field displacement --frames last");
+  command->callback([=, &action] { action = [=] { return render_command(*options); }; });
+}
+
+void add_audit(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<AuditOptions>();
+  CLI::App* command = cli.add_subcommand("audit", "Makes the table of the paper's law and its departures again, beside the figures known before");
+  command->add_option("--seeds", options->seeds, "Meshes a row")->capture_default_str()->check(CLI::Range(1, 100));
+  command->add_option("--jobs", options->jobs, "Runs at once; default one a core")->check(CLI::Range(1, 1024));
+  command->add_option("--configs", options->configs, "Folder of the four tests' configurations")->capture_default_str();
+  command->add_option("--out", options->out, "Folder for table.csv and table.md")->capture_default_str();
+  command->footer("Example:\n  asperity audit --seeds 3");
+  command->callback([=, &action] { action = [=] { return audit_command(*options); }; });
+}
+
+void add_info(CLI::App& cli, Action& action) {
+  CLI::App* command = cli.add_subcommand("info", "Prints version, revision, libraries and machine");
+  command->callback([&action] { action = [] { return info_command(); }; });
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CLI::App cli{"Asperity: a desktop-free workbench for rock failure", "asperity"};
+  cli.set_version_flag("--version", build_info().version);
+  cli.require_subcommand(1);
+  cli.footer("Start with:\n  asperity run configs/quickstart.json\n\nExit codes: 0 done, 1 unexpected, 2 usage, 3 config or data, "
+             "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
+  Action action;
+  for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_audit, add_info}) {
+    add(cli, action);
+  }
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return exit_code_of_command_line(cli.exit(error, std::cout, std::cerr));
+  }
+  try {
+    return action();
+  } catch (...) {
+    return report_current_exception(std::cerr);
+  }
+}
+
+}  // namespace asperity::app

@@ -1,0 +1,62 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The subcommands of `asperity`: each takes plain options, prints results on stdout, and returns an exit code.
+namespace asperity::app {
+
+struct RunOptions {
+  std::filesystem::path config;
+  std::vector<std::string> overrides;
+  std::optional<std::filesystem::path> out;
+  int threads = 0;  ///< 0: one for small meshes, all cores for large ones.
+  bool render = true;
+  bool force = false;
+  bool quiet = false;
+};
+
+int run_command(const RunOptions& options);
+
+struct ResumeOptions {
+  std::filesystem::path run_dir;
+  int threads = 0;
+  bool render = true;
+  bool quiet = false;
+};
+
+int resume_command(const ResumeOptions& options);
+
+int validate_command(const std::vector<std::filesystem::path>& configs, const std::vector<std::string>& overrides);
+
+int schema_command(const std::string& kind);
+
+struct DeriveOptions {
+  std::filesystem::path config;
+  std::vector<std::string> overrides;
+  bool json = false;
+};
+
+int derive_command(const DeriveOptions& options);
+
+struct RenderOptions {
+  std::filesystem::path run_dir;
+  std::vector<std::string> fields;  ///< Empty: those of the run's configuration.
+  std::string frames = "all";       ///< "all", "last" or a number.
+};
+
+int render_command(const RenderOptions& options);
+
+struct AuditOptions {
+  int seeds = 3;
+  int jobs = 0;  ///< 0: one a core.
+  std::filesystem::path configs = "configs/paper";  ///< Folder of the four tests' configurations.
+  std::filesystem::path out = "outputs/audit";
+};
+
+int audit_command(const AuditOptions& options);
+
+int info_command();
+
+}  // namespace asperity::app

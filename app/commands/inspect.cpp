@@ -1,0 +1,55 @@
+#include <iostream>
+#include <thread>
+
+#include "app/commands/commands.hpp"
+#include "app/libraries.hpp"
+#include "app/pictures.hpp"
+#include "core/base/build_info.hpp"
+#include "core/base/error.hpp"
+#include "core/config/read_config.hpp"
+#include "core/config/schema.hpp"
+#include "core/experiment/model.hpp"
+#include "core/output/manifest.hpp"
+#include "core/output/run_folder.hpp"
+
+namespace asperity::app {
+
+int validate_command(const std::vector<std::filesystem::path>& configs, const std::vector<std::string>& overrides) {
+  int failures = 0;
+  for (const std::filesystem::path& path : configs) {
+    try {
+      const Model model = build_model(read_run_config(path, overrides), ParallelLoops());
+      std::cout << path.string() << ": valid (" << model.mesh.triangles.size() << " triangles, time step "
+                << model.system.time_step << " s)\n";
+    } catch (const Error& error) {
+      if (error.kind() == ErrorKind::usage) throw;
+      ++failures;
+      std::cerr << path.string() << ":\n" << error.what() << "\n";
+    }
+  }
+  return failures == 0 ? 0 : static_cast<int>(ErrorKind::config);
+}
+
+int schema_command(const std::string& kind) {
+  std::cout << schema_text(kind);
+  return 0;
+}
+
+int render_command(const RenderOptions& options) {
+  const RunFolder folder = RunFolder::open(options.run_dir);
+  draw_frames(folder, read_run_config(folder.effective_config()).output, options.fields, options.frames);
+  std::cout << folder.frames().string() << std::endl;
+  return 0;
+}
+
+int info_command() {
+  const BuildInfo& build = build_info();
+  std::cout << "asperity " << build.version << "\nrevision " << build.revision << (build.dirty ? " (changed)" : "") << "\ncompiler "
+            << build.compiler << "\nflags " << build.flags << "\nbuild " << build.build_type << "\n";
+  for (const auto& [name, version] : library_versions()) std::cout << name << " " << version << "\n";
+  const Manifest here = started_manifest();
+  std::cout << "processor " << here.host.cpu_model << ", " << here.host.cores << " cores\n";
+  return 0;
+}
+
+}  // namespace asperity::app

@@ -1,0 +1,68 @@
+#include "core/measurement/acoustic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/units.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr double kEdgesApart = 3.0;
+
+double shear_wave_speed(const ParticleConfig& p) {
+  const double modulus = p.youngs_modulus_gpa * units::kMpaPerGpa / (2.0 * (1.0 + p.poissons_ratio));
+  return std::sqrt(modulus / (p.density_kg_per_m3 * units::kTonnePerMm3PerKgPerM3));
+}
+
+int find_root(std::vector<int>& parent, int i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+std::vector<int> join_near_cracks(std::span<const Crack> cracks, double distance, double delay) {
+  std::vector<int> parent(cracks.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (int i = 0; i < static_cast<int>(cracks.size()); ++i) {
+    for (int j = i + 1; j < static_cast<int>(cracks.size()) && cracks[j].time_s - cracks[i].time_s <= delay; ++j) {
+      if (norm(cracks[j].place - cracks[i].place) > distance) continue;
+      const int a = find_root(parent, i);
+      const int b = find_root(parent, j);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (int i = 0; i < static_cast<int>(parent.size()); ++i) parent[i] = find_root(parent, i);
+  return parent;
+}
+
+void add_crack(AcousticEvent& event, const Crack& crack) {
+  if (event.cracks == 0) event.time_s = crack.time_s;
+  event.duration_s = crack.time_s - event.time_s;
+  ++event.cracks;
+  event.tension += crack.mode == BreakMode::tension;
+  event.shear += crack.mode == BreakMode::shear;
+  event.energy_n_mm += crack.energy_n_mm;
+  event.place += crack.energy_n_mm * crack.place;
+}
+
+}  // namespace
+
+std::vector<AcousticEvent> group_events(std::span<const Crack> cracks, const RunConfig& config) {
+  const double distance = kEdgesApart * config.particles.edge_mm;
+  const std::vector<int> root = join_near_cracks(cracks, distance, distance / shear_wave_speed(config.particles));
+  std::vector<int> event_of(cracks.size(), -1);
+  std::vector<AcousticEvent> events;
+  for (std::size_t i = 0; i < cracks.size(); ++i) {
+    int& event = event_of[root[i]];
+    if (event < 0) {
+      event = static_cast<int>(events.size());
+      events.emplace_back();
+    }
+    add_crack(events[event], cracks[i]);
+  }
+  for (AcousticEvent& event : events) event.place = (1.0 / event.energy_n_mm) * event.place;
+  return events;
+}
+
+}  // namespace asperity
