@@ -28,10 +28,9 @@ struct LoadingConfig {
   double ramp_time_s = 0.0;  ///< From rest to the closing rate (Brazilian); the uniaxial test starts from a linear
                              ///< velocity field instead.
   double stage_displacement_mm = 0.02;  ///< Staged: closure of one stage (the paper's Sect. 3.1.2).
-  double hold_kinetic_ratio =
-      1e-4;  ///< Staged: a stage is over when kinetic / strain energy falls below this (and confinement)...
-  double hold_time_s = 2e-3;           ///< ...or after this time.
-  double confinement_time_s = 1.5e-3;  ///< Triaxial: duration of the hydrostatic stage's ramp.
+  double hold_kinetic_ratio = 1e-4;     ///< A stage, or the confinement, is over when kinetic / strain energy is below.
+  double hold_time_s = 2e-3;            ///< Staged: a stage is over after this time at the latest.
+  double confinement_time_s = 1.5e-3;   ///< Triaxial: duration of the hydrostatic stage's ramp.
   bool operator==(const LoadingConfig&) const = default;
 };
 

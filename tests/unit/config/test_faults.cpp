@@ -172,6 +172,7 @@ TEST_CASE("a faulty key brings no second fault by a cross check that needs it") 
   CHECK(refusal(R"({"experiment": {"type": "triaxial", "confining_pressure_mpa": "x"}})").faults.size() == 1);
   CHECK(refusal(R"({"experiment": {"type": "brazilian", "diameter_mm": -5}})").faults.size() == 1);
   CHECK(refusal(R"({"experiment": {"type": "triaxal", "width_mm": 54}})").faults.size() == 1);
+  CHECK(refusal(R"({"experiment": {"type": "triaxal", "loading": {"hold_kinetic_ratio": 0.001}}})").faults.size() == 1);
   // An edge of 20 mm is too long for the default disc, but nobody knows how large this one is.
   CHECK(refusal(R"({"experiment": {"type": "brazilian", "diameter_mm": "0.5 m"}, "particles": {"edge_mm": 20}})")
             .faults.size() == 1);

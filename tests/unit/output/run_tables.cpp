@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/measurement/acoustic.hpp"
 #include "core/measurement/crack_network.hpp"
 #include "core/measurement/sample.hpp"
 #include "core/output/atomic_file.hpp"
@@ -41,12 +42,23 @@ TEST_CASE("a crack fills its columns, its mode as a word") {
   CHECK(text_at(crack_columns(), crack_row(crack), "contact") == "12");
   CHECK(text_at(crack_columns(), crack_row(crack), "mode") == "shear");
   CHECK(text_at(crack_columns(), crack_row(crack), "y_mm") == "-2");
-  CHECK(text_at(crack_columns(), crack_row(crack), "energy_n") == "0.25");
+  CHECK(text_at(crack_columns(), crack_row(crack), "energy_n_mm") == "0.25");
+}
+
+TEST_CASE("an acoustic event fills its columns") {
+  AcousticEvent event;
+  event.time_s = 0.5, event.duration_s = 0.25, event.place = {1, 2}, event.energy_n_mm = 3;
+  event.cracks = 9, event.tension = 5, event.shear = 4;
+  const std::vector<double> expected{0.5, 0.25, 1, 2, 9, 5, 4, 3};
+  const std::vector<CsvCell> row = event_row(event);
+  REQUIRE(row.size() == expected.size());
+  REQUIRE(event_columns().size() == expected.size());
+  for (std::size_t i = 0; i < row.size(); ++i) CHECK(row[i].text() == CsvCell(expected[i]).text());
 }
 
 TEST_CASE("outputs/README.md names every column of every table") {
   const std::string readme = read_file(std::string(ASPERITY_SOURCE_DIR) + "/outputs/README.md");
-  for (const auto& columns : {curve_columns(), energy_columns(), crack_columns()}) {
+  for (const auto& columns : {curve_columns(), energy_columns(), crack_columns(), event_columns()}) {
     for (const std::string& column : columns) CHECK_THAT(readme, Catch::Contains("`" + column + "`"));
   }
 }
