@@ -8,6 +8,7 @@
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
 #include "core/base/build_info.hpp"
+#include "core/config/suggest.hpp"
 
 namespace asperity::app {
 namespace {
@@ -91,15 +92,27 @@ void add_audit(CLI::App& cli, Action& action) {
   CLI::App* command = cli.add_subcommand("audit", "Makes the table of the paper's law and its departures again, beside the figures known before");
   command->add_option("--seeds", options->seeds, "Meshes a row")->capture_default_str()->check(CLI::Range(1, 100));
   command->add_option("--jobs", options->jobs, "Runs at once; default one a core")->check(CLI::Range(1, 1024));
+  command->add_option("--rows", options->rows, "Rows of the table, e.g. 1,2; default all six")->delimiter(',')->check(CLI::Range(1, 6));
   command->add_option("--configs", options->configs, "Folder of the four tests' configurations")->capture_default_str();
   command->add_option("--out", options->out, "Folder for table.csv and table.md")->capture_default_str();
-  command->footer("Example:\n  asperity audit --seeds 3");
+  command->footer("Example:\n  asperity audit --seeds 3\n  asperity audit --rows 1,2 --out outputs/audit_literal");
   command->callback([=, &action] { action = [=] { return audit_command(*options); }; });
 }
 
 void add_info(CLI::App& cli, Action& action) {
   CLI::App* command = cli.add_subcommand("info", "Prints version, revision, libraries and machine");
+  command->footer("Example:\n  asperity info");
   command->callback([&action] { action = [] { return info_command(); }; });
+}
+
+/// CLI11 says of a mistyped command only that one is required: this names the word, and the command that may be meant.
+void explain_unknown_command(const CLI::App& cli) {
+  const std::vector<std::string> words = cli.remaining();
+  if (!cli.get_subcommands().empty() || words.empty()) return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : cli.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+  const std::string meant = closest(words.front(), names);
+  std::cerr << "error: " << words.front() << ": is no command" << (meant.empty() ? "" : ". Hint: did you mean " + meant + "?") << '\n';
 }
 
 }  // namespace
@@ -117,6 +130,7 @@ int run_command_line(int argc, char** argv) {
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    explain_unknown_command(cli);
     return exit_code_of_command_line(cli.exit(error, std::cout, std::cerr));
   }
   try {

@@ -153,10 +153,16 @@ int interrupt(Session& s) {
   return 130;
 }
 
-void print_results(const RunFolder& folder) {
-  const Summary summary = read_summary(folder.summary());
+void print_results(const std::filesystem::path& root) {
+  const Summary summary = read_summary(root / "summary.json");
   for (const auto& [key, value] : summary.results.items()) std::cout << key << " " << value << "\n";
-  std::cout << folder.root().string() << std::endl;
+  std::cout << root.string() << std::endl;
+}
+
+/// A run made with --no-render is finished, but has no pictures yet.
+void draw_if_missing(const RunConfig& config, const std::filesystem::path& root, const SessionOptions& options) {
+  if (!options.render || !std::filesystem::is_empty(root / "frames")) return;
+  draw_frames(RunFolder::open(root), config.output, {}, "all");
 }
 
 int carry_out(Session& s, const ParallelLoops& loops) {
@@ -180,7 +186,7 @@ int carry_out(Session& s, const ParallelLoops& loops) {
     throw;
   }
   end(s, Outcome::finished, describe(s.state.stop));
-  print_results(s.folder);
+  print_results(s.folder.root());
   return 0;
 }
 
@@ -216,15 +222,16 @@ Manifest new_manifest(const Build& b, const std::string& hash) {
 
 int run_in(RunFolder folder, Build b, const std::string& hash, const SessionOptions& options, bool from_checkpoint) {
   Manifest manifest = new_manifest(b, hash);
-  write_manifest(folder.manifest(), manifest);
-  open_log_file(folder.log(), manifest.libraries);
   Session session{std::move(folder), std::move(b.model), {}, hash, std::move(manifest), options};
+  // A checkpoint that is refused must leave the folder as it was: it is read before anything is written.
   if (from_checkpoint) {
     read_checkpoint(session.checkpoint_file(), session.model, session.state, hash);
-    log_info("resumed at step " + std::to_string(session.model.system.step));
   } else {
     session.state = start_run(session.model);
   }
+  write_manifest(session.folder.manifest(), session.manifest);
+  open_log_file(session.folder.log(), session.manifest.libraries);
+  if (from_checkpoint) log_info("resumed at step " + std::to_string(session.model.system.step));
   return carry_out(session, *b.loops);
 }
 
@@ -236,7 +243,8 @@ int run_from_start(const RunConfig& config, const std::string& original, const s
   const RunIdentity identity = identity_of(hash);
   if (decide_folder_use(root, identity, existing).use == FolderUse::reuse) {
     std::cerr << "this run is already there, made by the same code; --force runs it again\n";
-    print_results(RunFolder::begin(root, identity, existing));
+    draw_if_missing(config, root, options);
+    print_results(root);
     return 0;
   }
   Build b = build(config, options);
@@ -251,7 +259,7 @@ int resume_run(const std::filesystem::path& root, const SessionOptions& options)
   const Manifest old = read_manifest(folder.manifest());
   if (old.outcome == Outcome::finished) {
     std::cerr << "this run is finished\n";
-    print_results(folder);
+    print_results(folder.root());
     return 0;
   }
   const RunConfig config = read_run_config(folder.effective_config());

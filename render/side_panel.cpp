@@ -139,7 +139,7 @@ Range inset_range(double low, double high, double present) {
 }  // namespace
 
 ExperimentTexts experiment_texts(const Frame& frame) {
-  if (frame.experiment == "brazilian") return {"Brazilian disc", "Axial strain", "Tensile stress 2P/(πDt)"};
+  if (frame.experiment == "brazilian") return {"Brazilian disc", "Closure / diameter", "Tensile stress 2P/(πDt)"};
   if (frame.experiment == "uniaxial") return {"Uniaxial compression", "Axial strain", "Axial stress"};
   if (frame.experiment == "triaxial") return {"Triaxial compression", "Axial strain", "Axial stress σ₁"};
   return {frame.experiment, "Axial strain", "Axial stress"};

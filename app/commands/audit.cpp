@@ -41,6 +41,14 @@ std::vector<Row> rows() {
           {"default law, c_c = 1.65", {weak}, 0.02, {"-", "-", "-", "-", "-", "-"}}};
 }
 
+std::vector<Row> chosen_rows(const std::vector<int>& numbers) {
+  const std::vector<Row> all = rows();
+  if (numbers.empty()) return all;
+  std::vector<Row> chosen;
+  for (int number : numbers) chosen.push_back(all.at(number - 1));
+  return chosen;
+}
+
 /// What one run of one row gave.
 struct Outcome {
   double peak = NAN, modulus = NAN, ratio = NAN;
@@ -173,7 +181,7 @@ std::string csv(const std::vector<Row>& table, const Outcomes& outcomes) {
 
 int audit_command(const AuditOptions& options) {
   install_interruption_handlers();
-  const std::vector<Row> table = rows();
+  const std::vector<Row> table = chosen_rows(options.rows);
   const Outcomes outcomes = run_all(table, options);
   if (interruption_requested()) return 130;
   std::error_code ignored;

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -16,7 +16,10 @@ class ParallelLoops {
   static constexpr std::size_t kBlock = 1024;
 
   explicit ParallelLoops(int threads = 1) : threads_(threads) {
-    if (threads > 1) arena_ = std::make_unique<oneapi::tbb::task_arena>(threads);
+    if (threads < 2) return;
+    // Without it TBB grants no more threads than there are cores.
+    allowance_ = std::make_unique<oneapi::tbb::global_control>(oneapi::tbb::global_control::max_allowed_parallelism, threads);
+    arena_ = std::make_unique<oneapi::tbb::task_arena>(threads);
   }
 
   int threads() const { return threads_; }
@@ -45,6 +48,7 @@ class ParallelLoops {
 
  private:
   int threads_;
+  std::unique_ptr<oneapi::tbb::global_control> allowance_;
   std::unique_ptr<oneapi::tbb::task_arena> arena_;
 };
 

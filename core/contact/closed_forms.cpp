@@ -29,7 +29,7 @@ double cohesive_zone_thickness(double g_f, double tensile_strength, double beta)
 }
 
 namespace {
-// Eqs 12, 13 are E / w and G / w with w of Eqs 35, 36. The paper's plane-strain form carries 1 / (1 - nu^2) once: E~ of w.
+// Eqs 12, 13 are Eq. (C11) with w of Eqs 35, 36; their plane-strain form carries 1 / (1 - nu^2) once: the E~ of w.
 double material_thickness(const MaterialConfig& m, double toughness_mpa_sqrt_m, PlaneCondition plane) {
   const double modulus = effective_modulus(m.youngs_modulus_gpa * units::kMpaPerGpa, m.poissons_ratio, plane);
   const double g = griffith_energy(toughness_mpa_sqrt_m * units::kMpaSqrtMmPerMpaSqrtM, modulus);
@@ -123,6 +123,7 @@ LawParameters law_parameters(const RunConfig& config) {
   p.delta_cs = d.delta_cs;
   p.delta_ut = d.delta_ut;
   p.kappa_ut = d.delta_ut / d.delta_ct;
+  p.inverse_delta_ct = 1.0 / d.delta_ct;
   p.coulomb = c.law.shear_peak == ShearPeak::coulomb ? p.tan_phi : 0.0;
   p.opening_shear = c.law.opening_shear_stiffness == OpeningShearStiffness::k_s ? p.k_s / p.k_t : 1.0;
   return p;

@@ -39,22 +39,22 @@ double stiffness_ratio_as_printed(const MaterialConfig& material);
 /// beta(m, n) of Eq. (C33), m < n.
 double beta(int m, int n);
 
-/// alpha of Eq. (C21p): the factor that makes the Lennard-Jones potential's depth epsilon.
+/// alpha of Eq. (C21): the factor that makes the Lennard-Jones potential's depth epsilon.
 double lennard_jones_alpha(int m, int n);
 
-/// Lennard-Jones potential, Eq. (C20p), at separation x with depth epsilon and zero crossing zeta.
+/// Lennard-Jones potential, Eq. (C20), at separation x with depth epsilon and zero crossing zeta.
 double lennard_jones_potential(double x, double epsilon, double zeta, int m, int n);
 
-/// Force between two molecules, Eq. (C22p).
+/// Force between two molecules, Eq. (C22).
 double lennard_jones_force(double x, double epsilon, double zeta, int m, int n);
 
-/// Separation of the largest force, Eq. (C23p), in units of zeta.
+/// Separation of the largest force, Eq. (C23), in units of zeta.
 double peak_force_separation(int m, int n);
 
-/// Largest force, Eq. (C24p), in units of epsilon / zeta.
+/// Largest force, Eq. (C24), in units of epsilon / zeta.
 double cohesive_force(int m, int n);
 
-/// Equilibrium separation, Eq. (C25p), in units of zeta.
+/// Equilibrium separation, Eq. (C25), in units of zeta.
 double equilibrium_separation(int m, int n);
 
 }  // namespace asperity::closed_forms

@@ -6,21 +6,21 @@
 #include "core/contact/law.hpp"
 
 /// The default contact law: damage and slip with a free energy, so that no path from the virgin state returns net work.
-/// Equations (C20)-(C29) and their proof: core/contact/README.md.
+/// Eqs. (D1)-(D8) and their proof: core/contact/README.md.
 namespace asperity::consistent_law {
 
 inline constexpr double kE = std::numbers::e;
 
-/// Secant factor of the virgin curve at normalised separation kappa, Eq. (C24): exp(-kappa), then (1 - D) / (e kappa).
+/// Secant factor of the virgin curve at normalised separation kappa, Eq. (D5): exp(-kappa), then (1 - D) / (e kappa).
 inline double secant_factor(double kappa, double damage) {
   return kappa <= 1.0 ? std::exp(-kappa) : (1.0 - damage) / (kE * kappa);
 }
 
-/// Secant factor of shear alone at normalised shear displacement x, Eq. (C25); x times it is the normalised strength of
-/// the intact share, Eq. (C22): x exp(-x) up to its peak 1 / e at x = 1, then constant.
+/// Secant factor of shear alone at normalised shear displacement x, Eq. (D6); x times it is the normalised strength of
+/// the intact share, Eq. (D3): x exp(-x) up to its peak 1 / e at x = 1, then constant.
 inline double shear_secant_factor(double x) { return secant_factor(x, 0.0); }
 
-/// D at kappa; the ultimate separation shrinks from delta_ut / delta_ct in pure tension to 1 in pure shear, Eq. (C23).
+/// D at kappa; the ultimate separation shrinks from delta_ut / delta_ct in pure tension to 1 in pure shear, Eq. (D4).
 inline double damage_at(double kappa, double kappa_n, const LawParameters& p) {
   if (kappa <= 1.0) return 0.0;
   const double tension_share = kappa_n * kappa_n / (kappa * kappa);
@@ -31,12 +31,13 @@ inline double damage_at(double kappa, double kappa_n, const LawParameters& p) {
 /// Work done by a traction that went from one value to another over a path in its own direction; never negative.
 inline double path_work(double from, double to, double path) { return std::max(0.0, 0.5 * (from + to) * path); }
 
-/// Slip of the intact share at its yield curve, Eqs. (C21), (C22): exact for a constant normal stress. Returns the slip.
+/// Slip of the intact share at its yield curve, Eqs. (D2), (D3): exact for a constant normal stress. Returns the slip.
 inline double slip_intact_share(PointState& s, double shear, double pressure, const LawParameters& p) {
   const double trial = p.k_s * (shear - s.slip);
   const double strength = kE * (p.c_c + pressure * p.tan_phi);
-  const double x = s.hardening * (1.0 - s.shear_secant) + std::abs(trial) / strength;
-  if (x <= s.hardening) return 0.0;
+  const double yield = strength * s.hardening * s.shear_secant;
+  if (std::abs(trial) <= yield) return 0.0;
+  const double x = s.hardening + (std::abs(trial) - yield) / strength;
   s.hardening = x;
   s.shear_secant = shear_secant_factor(x);
   const double slipped = (trial - std::copysign(strength * x * s.shear_secant, trial)) / p.k_s;
@@ -44,7 +45,7 @@ inline double slip_intact_share(PointState& s, double shear, double pressure, co
   return slipped;
 }
 
-/// Coulomb friction of the broken share, Eq. (C26).
+/// Coulomb friction of the broken share, Eq. (D7).
 inline void slide_broken_share(PointState& s, double shear, double pressure, const LawParameters& p) {
   const double share = 1.0 - s.integrity_s;
   if (share <= 0.0) return;
@@ -56,7 +57,7 @@ inline void slide_broken_share(PointState& s, double shear, double pressure, con
   s.friction = after;
 }
 
-/// A newly broken part of the intact share joins the broken one: it keeps no more than friction can hold, Eq. (C27).
+/// A newly broken part of the intact share joins the broken one: it keeps no more than friction can hold, Eq. (D8).
 inline void hand_over(PointState& s, double integrity_s, double stress_before, double stress, double limit, double moved,
                       const LawParameters& p) {
   const double part = s.integrity_s - integrity_s;
@@ -72,13 +73,14 @@ inline void hand_over(PointState& s, double integrity_s, double stress_before, d
   s.integrity_s = integrity_s;
 }
 
-/// Damage of both modes at the present opening and hardening, Eqs. (C23)-(C25), (C27).
+/// Damage of both modes at the present opening and hardening, Eqs. (D4)-(D6), (D8).
 inline void damage_contact(PointState& s, double normal, double shear, double stress_before, double limit,
                            const LawParameters& p) {
   const double opening = std::max(0.0, normal);
-  const double kappa_n = opening / p.delta_ct;
-  const double kappa = std::sqrt(kappa_n * kappa_n + s.hardening * s.hardening);
-  if (kappa <= 1.0 && kappa <= s.largest) return;
+  const double kappa_n = opening * p.inverse_delta_ct;
+  const double square = kappa_n * kappa_n + s.hardening * s.hardening;
+  if (square <= std::min(1.0, s.largest * s.largest)) return;
+  const double kappa = opening > 0.0 ? std::sqrt(square) : s.hardening;
   s.damage = std::max(s.damage, damage_at(kappa, kappa_n, p));
   s.largest = std::max(s.largest, kappa);
   const double factor = opening > 0.0 ? secant_factor(kappa, s.damage) : (1.0 - s.damage) * s.shear_secant;
@@ -94,7 +96,7 @@ inline void damage_contact(PointState& s, double normal, double shear, double st
 
 /// Brings a contact point to a new separation (mm) and its traction up to date.
 inline void update(PointState& s, double normal, double shear, const LawParameters& p) {
-  const double pressure = normal < 0.0 ? -p.k_t * normal : 0.0;
+  const double pressure = std::max(0.0, -p.k_t * normal);
   slide_broken_share(s, shear, pressure, p);
   if (s.broken == BreakMode::none) {
     const double stress_before = p.k_s * (s.shear - s.slip);
@@ -103,13 +105,13 @@ inline void update(PointState& s, double normal, double shear, const LawParamete
     damage_contact(s, normal, shear, stress_before, pressure * p.tan_phi, p);
     s.fracture_energy += path_work(traction_before, s.integrity_s * p.k_s * (shear - s.slip), slipped);
   }
-  s.traction_n = normal < 0.0 ? -pressure : s.integrity_n * p.k_t * normal;
+  s.traction_n = s.integrity_n * p.k_t * std::max(0.0, normal) - pressure;
   s.traction_s = s.integrity_s * p.k_s * (shear - s.slip) + s.friction;
   s.normal = normal;
   s.shear = shear;
 }
 
-/// Recoverable energy of a contact point (N/mm), Eq. (C20).
+/// Recoverable energy of a contact point (N/mm), Eq. (D1).
 inline double recoverable_energy(const PointState& s, const LawParameters& p) {
   const double elastic = s.shear - s.slip;
   const double normal = 0.5 * (s.normal < 0.0 ? 1.0 : s.integrity_n) * p.k_t * s.normal * s.normal;

@@ -15,6 +15,7 @@ struct LawParameters {
   double delta_ct = 0, delta_cs = 0;       ///< Critical displacements, Eqs. (C4), (C7), mm.
   double delta_ut = 0;                     ///< Ultimate tensile displacement, Eq. (C10), mm.
   double kappa_ut = 0;                     ///< delta_ut / delta_ct.
+  double inverse_delta_ct = 0;             ///< 1 / delta_ct, 1/mm.
   double coulomb = 0;                      ///< Literal law: tan(phi_c) where Eq 6's peak is c_c + sigma_n tan(phi_c), else 0.
   double opening_shear = 1;                ///< Literal law: factor on Eq 3's shear component, 1 (k_t) or k_s / k_t.
 };
@@ -25,7 +26,7 @@ struct PointState {
   double traction_n = 0, traction_s = 0;   ///< Traction then.
   double slip = 0;                         ///< Default law: slip of the intact share.
   double hardening = 0;                    ///< Default law: normalised shear displacement x.
-  double shear_secant = 1;                 ///< Default law: Eq. (C25) at x.
+  double shear_secant = 1;                 ///< Default law: Eq. (D6) at x.
   double integrity_n = 1, integrity_s = 1; ///< Default law: secant factors g_n, g_s, never growing.
   double friction = 0;                     ///< Shear traction carried by friction (broken share).
   double largest = 0;                      ///< Literal law: delta_max, mm. Default law: largest kappa.

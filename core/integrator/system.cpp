@@ -66,9 +66,10 @@ Vec2 platen_force(System& system, std::size_t node, NodeSums& sums) {
   return {shear, side == 0 ? normal : -normal};
 }
 
-/// Cundall's local damping, limited so that it never turns the motion round: Eq. (I4). Returns the damping force.
-double damping_force(double force, double coefficient, double mean_velocity, double mass, double dt) {
-  const double limit = 2.0 * mass * std::abs(mean_velocity) / dt;
+/// Cundall's local damping, limited so that it never turns the motion round: Eq. (I4). `impulse` is 2 m / dt. Returns the
+/// damping force.
+double damping_force(double force, double coefficient, double mean_velocity, double impulse) {
+  const double limit = impulse * std::abs(mean_velocity);
   return -std::copysign(std::min(coefficient * std::abs(force), limit), mean_velocity);
 }
 
@@ -77,11 +78,13 @@ void move_free_node(System& system, std::size_t node, Vec2 force, Vec2 external,
   const double m = system.particles.mass[node];
   Vec2& v = system.particles.velocity[node];
   const Vec2 before = v;
-  const Vec2 trial = before + (dt / m) * force;
+  const double step = dt / m;
+  const Vec2 trial = before + step * force;
   const Vec2 mean = 0.5 * (before + trial);
-  const Vec2 damping{damping_force(force.x, system.local_damping, mean.x, m, dt),
-                     damping_force(force.y, system.local_damping, mean.y, m, dt)};
-  v = trial + (dt / m) * damping;
+  const double impulse = m * (2.0 / dt);
+  const Vec2 damping{damping_force(force.x, system.local_damping, mean.x, impulse),
+                     damping_force(force.y, system.local_damping, mean.y, impulse)};
+  v = trial + step * damping;
   sums.damping -= 0.5 * dt * dot(damping, before + v);
   sums.work_before += 0.5 * dt * dot(external, before);
   sums.work_after += 0.5 * dt * dot(external, v);

@@ -36,14 +36,15 @@ std::vector<int> join_near_cracks(std::span<const Crack> cracks, double distance
   return parent;
 }
 
-void add_crack(AcousticEvent& event, const Crack& crack) {
+void add_crack(AcousticEvent& event, double& length, const Crack& crack) {
+  length += crack.length_mm;
   if (event.cracks == 0) event.time_s = crack.time_s;
   event.duration_s = crack.time_s - event.time_s;
   ++event.cracks;
   event.tension += crack.mode == BreakMode::tension;
   event.shear += crack.mode == BreakMode::shear;
   event.energy_n_mm += crack.energy_n_mm;
-  event.place += crack.energy_n_mm * crack.place;
+  event.place += crack.length_mm * crack.place;
 }
 
 }  // namespace
@@ -53,15 +54,17 @@ std::vector<AcousticEvent> group_events(std::span<const Crack> cracks, const Run
   const std::vector<int> root = join_near_cracks(cracks, distance, distance / shear_wave_speed(config.particles));
   std::vector<int> event_of(cracks.size(), -1);
   std::vector<AcousticEvent> events;
+  std::vector<double> length;
   for (std::size_t i = 0; i < cracks.size(); ++i) {
     int& event = event_of[root[i]];
     if (event < 0) {
       event = static_cast<int>(events.size());
       events.emplace_back();
+      length.push_back(0.0);
     }
-    add_crack(events[event], cracks[i]);
+    add_crack(events[event], length[event], cracks[i]);
   }
-  for (AcousticEvent& event : events) event.place = (1.0 / event.energy_n_mm) * event.place;
+  for (std::size_t e = 0; e < events.size(); ++e) events[e].place = (1.0 / length[e]) * events[e].place;
   return events;
 }
 

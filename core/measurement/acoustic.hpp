@@ -11,7 +11,7 @@ namespace asperity {
 struct AcousticEvent {
   double time_s = 0;       ///< Of its first crack.
   double duration_s = 0;
-  Vec2 place;              ///< Mean of its cracks' places, weighted by fracture energy; mm.
+  Vec2 place;              ///< Mean of its cracks' places, weighted by length; mm.
   int cracks = 0, tension = 0, shear = 0;
   double energy_n_mm = 0;  ///< Fracture energy of its cracks, per mm of thickness.
 };

@@ -53,6 +53,7 @@ Frame capture_frame(const System& system, const RunConfig& config, std::span<con
   frame.grain = p.grain;
   frame.fragment = find_fragments(system.contacts, p).of_triangle;
   frame.cracks = crack_segments(system.contacts, p);
+  for (CrackSegment& crack : frame.cracks) crack.energy_n_mm *= config.experiment.thickness_mm;
   frame.platen_y = system.platens.y;
   for (const Sample& s : samples) {
     frame.curve.axial_strain.push_back(s.axial_strain);
