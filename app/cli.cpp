@@ -108,9 +108,11 @@ void add_info(CLI::App& cli, Action& action) {
 /// CLI11 says of a mistyped command only that one is required: this names the word, and the command that may be meant.
 void explain_unknown_command(const CLI::App& cli) {
   const std::vector<std::string> words = cli.remaining();
-  if (!cli.get_subcommands().empty() || words.empty()) return;
+  if (!cli.get_subcommands().empty() || words.empty() || words.front().starts_with('-')) return;
   std::vector<std::string> names;
-  for (const CLI::App* command : cli.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+  for (const CLI::App* command : cli.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
   const std::string meant = closest(words.front(), names);
   std::cerr << "error: " << words.front() << ": is no command" << (meant.empty() ? "" : ". Hint: did you mean " + meant + "?") << '\n';
 }

@@ -1,7 +1,5 @@
 #include "core/contact/bonded_contacts.hpp"
 
-#include <algorithm>
-
 #include "core/contact/consistent_law.hpp"
 #include "core/contact/literal_law.hpp"
 
@@ -15,37 +13,49 @@ int node_at(const Particles& particles, int triangle, int vertex) {
   return -1;
 }
 
-/// Traction (MPa) times half the edge's area, gathered at both ends, and the couple that the rotating frame needs.
+/// Tractions (MPa) of the two points, gathered at both ends, and the couple that the rotating frame needs.
+struct EdgeTraction {
+  double n1 = 0, s1 = 0, n2 = 0, s2 = 0;  ///< Normal and tangential at ends 1 and 2.
+  double moment = 0;                      ///< Of both points, per unit of area.
+};
+
 template <class UpdatePoint>
-std::array<Vec2, 4> edge_forces(const ContactEdge& edge, std::array<PointState, 2>& points, const ContactFrame& frame,
-                       const UpdatePoint& update_point) {
-  constexpr double weight[2][2] = {{kNearGauss, kFarGauss}, {kFarGauss, kNearGauss}};
-  Vec2 end[2] = {};
-  double moment = 0.0;
-  for (int q = 0; q < 2; ++q) {
-    const Vec2 gap = weight[q][0] * frame.gap[0] + weight[q][1] * frame.gap[1];
-    PointState& point = points[q];
-    update_point(point, dot(gap, frame.normal), dot(gap, frame.tangent));
-    const Vec2 traction = point.traction_n * frame.normal + point.traction_s * frame.tangent;
-    for (int i = 0; i < 2; ++i) end[i] += weight[q][i] * traction;
-    moment += point.traction_n * point.shear - point.traction_s * point.normal;
-  }
-  const double area = 0.5 * edge.length;
-  const Vec2 couple = (0.5 * area * moment / frame.midline_length) * frame.normal;
-  const Vec2 f1 = area * end[0];
-  const Vec2 f2 = area * end[1];
-  return {f1 - couple, f2 + couple, Vec2{} - f1 - couple, couple - f2};
+void add_point(EdgeTraction& sum, PointState& point, const ContactFrame& frame, double w1, double w2,
+               const UpdatePoint& update_point) {
+  const Vec2 gap = w1 * frame.gap[0] + w2 * frame.gap[1];
+  update_point(point, dot(gap, frame.normal), dot(gap, frame.tangent));
+  sum.n1 += w1 * point.traction_n;
+  sum.s1 += w1 * point.traction_s;
+  sum.n2 += w2 * point.traction_n;
+  sum.s2 += w2 * point.traction_s;
+  sum.moment += point.traction_n * point.shear - point.traction_s * point.normal;
+}
+
+/// Eqs. (C17), (C18).
+void write_forces(const EdgeTraction& sum, const ContactFrame& frame, double area, Vec2* forces) {
+  const double couple = 0.5 * area * sum.moment / frame.midline_length;
+  const Vec2 n = frame.normal;
+  const Vec2 t = frame.tangent;
+  const Vec2 f1 = (area * sum.n1) * n + (area * sum.s1) * t;
+  const Vec2 f2 = (area * sum.n2) * n + (area * sum.s2) * t;
+  forces[0] = f1 - couple * n;
+  forces[1] = f2 + couple * n;
+  forces[2] = (-couple) * n - f1;
+  forces[3] = couple * n - f2;
 }
 
 template <class UpdatePoint>
-void update_edges(BondedContacts& contacts, const std::vector<Vec2>& position, double time,
-                  const ParallelLoops& loops, std::span<Vec2> forces, const UpdatePoint& update_point) {
+void update_edges(BondedContacts& contacts, const std::vector<Vec2>& position, double time, const ParallelLoops& loops,
+                  std::span<Vec2> forces, const UpdatePoint& update_point) {
   loops.for_blocks(contacts.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
-      const ContactEdge& edge = contacts.edges[c];
-      const auto force = edge_forces(edge, contacts.points[c], contact_frame(edge, position), update_point);
-      if (contacts.break_time[c] < 0.0 && edge_break_mode(contacts.points[c]) != BreakMode::none) contacts.break_time[c] = time;
-      std::copy(force.begin(), force.end(), forces.begin() + 4 * static_cast<std::ptrdiff_t>(c));
+      const ContactFrame frame = contact_frame(contacts.edges[c], position);
+      auto& points = contacts.points[c];
+      EdgeTraction sum;
+      add_point(sum, points[0], frame, kNearGauss, kFarGauss, update_point);
+      add_point(sum, points[1], frame, kFarGauss, kNearGauss, update_point);
+      write_forces(sum, frame, 0.5 * contacts.edges[c].length, &forces[4 * c]);
+      if (contacts.break_time[c] < 0.0 && edge_break_mode(points) != BreakMode::none) contacts.break_time[c] = time;
     }
   });
 }
@@ -65,14 +75,6 @@ BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const
   contacts.points.resize(contacts.edges.size());
   contacts.break_time.assign(contacts.edges.size(), -1.0);
   return contacts;
-}
-
-ContactFrame contact_frame(const ContactEdge& edge, const std::vector<Vec2>& x) {
-  const Vec2 l1 = x[edge.left1], l2 = x[edge.left2], r1 = x[edge.right1], r2 = x[edge.right2];
-  const Vec2 midline = 0.5 * ((l2 - l1) + (r2 - r1));
-  const double length = norm(midline);
-  const Vec2 tangent = (1.0 / length) * midline;
-  return {tangent, {tangent.y, -tangent.x}, length, {r1 - l1, r2 - l2}};
 }
 
 void update_contacts(BondedContacts& contacts, const std::vector<Vec2>& position, double time, const ParallelLoops& loops,

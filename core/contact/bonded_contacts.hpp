@@ -41,7 +41,13 @@ struct ContactFrame {
   std::array<Vec2, 2> gap;  ///< right - left at ends 1 and 2, mm.
 };
 
-ContactFrame contact_frame(const ContactEdge& edge, const std::vector<Vec2>& position);
+inline ContactFrame contact_frame(const ContactEdge& edge, const std::vector<Vec2>& x) {
+  const Vec2 l1 = x[edge.left1], l2 = x[edge.left2], r1 = x[edge.right1], r2 = x[edge.right2];
+  const Vec2 midline = 0.5 * ((l2 - l1) + (r2 - r1));
+  const double length = norm(midline);
+  const Vec2 tangent = (1.0 / length) * midline;
+  return {tangent, {tangent.y, -tangent.x}, length, {r1 - l1, r2 - l2}};
+}
 
 /// Weights of ends 1 and 2 at the two contact points.
 inline constexpr double kNearGauss = 0.78867513459481287;

@@ -30,14 +30,32 @@ FlankPressure find_flanks(const Mesh& mesh, const Particles& p) {
   return flank;
 }
 
-Platens make_platens(const RunConfig& config, double k_t) {
+Platens make_platens(const RunConfig& config) {
   Platens platens;
   platens.present = true;
   platens.y = {0.0, specimen_height(config.experiment)};
   platens.friction = config.experiment.platens.friction_coefficient;
-  const double stiffness = config.experiment.platens.stiffness_mpa_per_mm.value_or(k_t);
-  platens.node_stiffness = 0.5 * config.particles.edge_mm * stiffness;
   return platens;
+}
+
+/// Depth, over the edge length, from which nodes that own no loaded edge feel a platen: far beyond elastic overlaps, so
+/// that the pressure on an intact end is uniform, and small enough that no loose piece passes through.
+constexpr double kSkin = 0.02;
+
+/// Springs that spread the penalty over the loaded edges (ends or rim), half an edge on each of its nodes.
+std::vector<PlatenSpring> make_platen_springs(const RunConfig& config, const Mesh& mesh, const Particles& p, double k_t) {
+  const double penalty = config.experiment.platens.stiffness_mpa_per_mm.value_or(k_t);
+  std::vector<PlatenSpring> springs(p.node_count());
+  for (const MeshEdge& e : mesh_edges(mesh)) {
+    if (e.boundary != Boundary::bottom && e.boundary != Boundary::top && e.boundary != Boundary::rim) continue;
+    const double half = 0.5 * norm(mesh.vertices[e.b] - mesh.vertices[e.a]) * penalty;
+    springs[node_of(p, e.left, e.a)].stiffness += half;
+    springs[node_of(p, e.left, e.b)].stiffness += half;
+  }
+  for (PlatenSpring& spring : springs) {
+    if (spring.stiffness == 0.0) spring = {0.5 * config.particles.edge_mm * penalty, kSkin * config.particles.edge_mm};
+  }
+  return springs;
 }
 
 void choose_time_step(Model& model, const ParallelLoops& loops) {
@@ -69,7 +87,8 @@ Model build_model(const RunConfig& config, const ParallelLoops& loops) {
   System& system = model.system;
   system.particles = make_particles(model.mesh, config.particles, config.experiment.plane);
   system.contacts = make_contacts(model.mesh, system.particles, law, config.contacts.law.reading);
-  system.platens = make_platens(config, law.k_t);
+  system.platens = make_platens(config);
+  system.platen_springs = make_platen_springs(config, model.mesh, system.particles, law.k_t);
   system.local_damping = config.integration.local_damping;
   if (is_compression(config.experiment)) {
     system.flank = find_flanks(model.mesh, system.particles);

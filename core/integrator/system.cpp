@@ -44,23 +44,24 @@ void apply_flank_pressure(System& system) {
 Vec2 platen_force(System& system, std::size_t node, NodeSums& sums) {
   const Platens& platens = system.platens;
   const double y = system.particles.position[node].y;
-  const double overlap[2] = {platens.y[0] - y, y - platens.y[1]};
+  const PlatenSpring spring = system.platen_springs[node];
+  const double overlap[2] = {platens.y[0] - y - spring.skin, y - platens.y[1] - spring.skin};
   const int side = overlap[0] > 0.0 ? 0 : 1;
   double& shear = system.platen_shear[node];
   if (overlap[side] <= 0.0) {
     shear = 0.0;
     return {0, 0};
   }
-  const double normal = platens.node_stiffness * overlap[side];
+  const double normal = spring.stiffness * overlap[side];
   sums.reaction[side] += normal;
   sums.platen_energy += 0.5 * normal * overlap[side];
   if (platens.friction > 0.0) {
-    const double trial = shear - platens.node_stiffness * system.particles.velocity[node].x * system.time_step;
+    const double trial = shear - spring.stiffness * system.particles.velocity[node].x * system.time_step;
     const double limit = platens.friction * normal;
     const double after = std::clamp(trial, -limit, limit);
     const double mean = shear * after > 0.0 ? 0.5 * std::abs(shear + after) : std::abs(after);
-    sums.platen_friction += mean * std::abs(trial - after) / platens.node_stiffness;
-    sums.platen_energy += 0.5 * after * after / platens.node_stiffness;
+    sums.platen_friction += mean * std::abs(trial - after) / spring.stiffness;
+    sums.platen_energy += 0.5 * after * after / spring.stiffness;
     shear = after;
   }
   return {shear, side == 0 ? normal : -normal};

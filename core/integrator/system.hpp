@@ -16,8 +16,13 @@ struct Platens {
   std::array<double, 2> y{0, 0};              ///< mm
   std::array<double, 2> velocity{0, 0};       ///< mm/s during the coming step.
   std::array<double, 2> last_velocity{0, 0};  ///< mm/s during the last step.
-  double node_stiffness = 0;                  ///< N/mm per mm of thickness, on each touching node.
   double friction = 0;                        ///< Coulomb coefficient.
+};
+
+/// How a node meets the platens: a spring (N/mm per mm of thickness) that acts beyond a depth (mm).
+struct PlatenSpring {
+  double stiffness = 0;
+  double skin = 0;
 };
 
 /// Uniform pressure (MPa) on boundary edges, following their present position. Edges run with the specimen on their left.
@@ -67,6 +72,7 @@ struct System {
   std::int64_t step = 0;
   double initial_kinetic = 0;
 
+  std::vector<PlatenSpring> platen_springs;  ///< Of each node; empty without platens.
   std::vector<double> platen_shear;      ///< Tangential platen force on each node along x.
   NodeSums sums;                         ///< Of the last velocity update.
   double external_work = 0, damping_energy = 0, platen_friction_energy = 0;  ///< Up to the present instant, see step().

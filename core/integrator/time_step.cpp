@@ -61,7 +61,7 @@ std::vector<Vec2> apply_stiffness(const System& system, const std::vector<Vec2>&
   std::vector<Vec2> result(u.size());
   loops.for_blocks(u.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node) {
-      Vec2 sum = system.platens.present ? system.platens.node_stiffness * u[node] : Vec2{};
+      Vec2 sum = system.platens.present ? system.platen_springs[node].stiffness * u[node] : Vec2{};
       for (int i = system.slot_begin[node]; i < system.slot_begin[node + 1]; ++i) sum += forces[system.slots[i]];
       result[node] = sum;
     }
@@ -79,7 +79,8 @@ std::vector<Vec2> random_start(std::size_t n) {
 /// Largest row sum of |K| over a node's two components, divided into the node's share by summing absolute entries.
 std::vector<double> gershgorin_rows(const System& system) {
   const Particles& p = system.particles;
-  std::vector<double> rows(p.node_count(), system.platens.present ? system.platens.node_stiffness : 0.0);
+  std::vector<double> rows(p.node_count(), 0.0);
+  for (std::size_t i = 0; i < system.platen_springs.size(); ++i) rows[i] = system.platen_springs[i].stiffness;
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
     double sum[3][2] = {};
     for (int j = 0; j < 3; ++j) {

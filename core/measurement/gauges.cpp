@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/base/error.hpp"
+
 namespace asperity {
 namespace {
 
@@ -9,6 +11,12 @@ double mean(const std::vector<int>& nodes, const auto& value) {
   double sum = 0.0;
   for (int node : nodes) sum += value(node);
   return sum / static_cast<double>(nodes.size());
+}
+
+/// A band between two rows of nodes would read 0 / 0.
+void refuse_empty(const std::array<std::vector<int>, 2>& bands, const char* pointer) {
+  if (!bands[0].empty() && !bands[1].empty()) return;
+  throw Error(ErrorKind::config, {{pointer, "no node of the specimen lies in the gauge", "", "", "make it longer than an edge"}});
 }
 
 }  // namespace
@@ -26,6 +34,8 @@ Gauges make_gauges(const Particles& p, const ExperimentConfig& experiment, const
       if (on_flank && std::abs(x.y - middle) <= 0.5 * m.lateral_gauge_mm) gauges.lateral[side].push_back(static_cast<int>(i));
     }
   }
+  refuse_empty(gauges.axial, "/measurement/axial_gauge_mm");
+  refuse_empty(gauges.lateral, "/measurement/lateral_gauge_mm");
   const auto height = [&](int node) { return p.reference[node].y; };
   gauges.axial_base_mm = mean(gauges.axial[1], height) - mean(gauges.axial[0], height);
   gauges.lateral_base_mm = experiment.width_mm;

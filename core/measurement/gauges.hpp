@@ -20,7 +20,7 @@ struct GaugeReading {
   double axial = 0, lateral = 0;
 };
 
-/// Gauges of a compression test; a band is two edge lengths high.
+/// Gauges of a compression test; a band is two edge lengths high. Throws a config error where a band holds no node.
 Gauges make_gauges(const Particles& particles, const ExperimentConfig& experiment, const MeasurementConfig& measurement,
                    double edge_mm);
 

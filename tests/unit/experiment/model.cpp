@@ -1,0 +1,81 @@
+#include "core/experiment/model.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "tests/unit/experiment/small_models.hpp"
+
+using namespace asperity;
+using namespace asperity::testing;
+
+TEST_CASE("the time step is the safety factor times the critical one") {
+  RunConfig config = small_config(ExperimentType::brazilian);
+  config.integration.safety_factor = 0.5;
+  const Model model = small_model(config);
+  CHECK(model.critical_time_step > 0.0);
+  CHECK(model.system.time_step == 0.5 * model.critical_time_step);
+  CHECK(model.added_mass_fraction == 0.0);
+}
+
+TEST_CASE("a given time step is taken up to the critical one and refused above it, with both figures") {
+  RunConfig config = small_config(ExperimentType::brazilian);
+  const double critical = small_model(config).critical_time_step;
+  config.integration.time_step_s = 0.999 * critical;
+  CHECK(small_model(config).system.time_step == 0.999 * critical);
+  config.integration.time_step_s = 1.001 * critical;
+  try {
+    small_model(config);
+    FAIL("accepted");
+  } catch (const Error& error) {
+    CHECK(error.kind() == ErrorKind::config);
+    REQUIRE(error.faults().size() == 1);
+    const Fault& fault = error.faults()[0];
+    CHECK(fault.where == "/integration/time_step_s");
+    CHECK(fault.value == std::to_string(1.001 * critical * 1e9) + " ns");
+    CHECK(fault.allowed == "at most " + std::to_string(critical * 1e9) + " ns");
+    CHECK_FALSE(fault.hint.empty());
+  }
+}
+
+TEST_CASE("mass scaling reaches the time step asked for and says how much mass it took") {
+  RunConfig config = small_config(ExperimentType::brazilian);
+  const double step = 1.5 * small_model(config).system.time_step;
+  config.integration.mass_scaling_time_step_s = step;
+  const Model model = small_model(config);
+  CHECK(model.added_mass_fraction > 0.0);
+  CHECK(model.system.time_step >= step);
+}
+
+TEST_CASE("platens touch the specimen's ends and take their stiffness from the contacts") {
+  const Model model = small_model(small_config(ExperimentType::uniaxial));
+  CHECK(model.system.platens.present);
+  CHECK(model.system.platens.y == std::array<double, 2>{0.0, 65.0});
+  CHECK(model.system.platens.node_stiffness == 0.5 * 5.0 * model.system.contacts.law.k_t);
+}
+
+TEST_CASE("a disc has neither flanks nor gauges") {
+  const Model model = small_model(small_config(ExperimentType::brazilian));
+  CHECK(model.system.flank.edges.empty());
+  CHECK(model.gauges.axial_base_mm == 0.0);
+  CHECK(specimen_height(model.config.experiment) == 54.0);
+}
+
+TEST_CASE("the flanks are both sides in full, each edge with the specimen on its left") {
+  const Model model = small_model(small_config(ExperimentType::uniaxial));
+  double left = 0.0, right = 0.0;
+  for (const auto& [a, b] : model.system.flank.edges) {
+    const Vec2 p = model.system.particles.reference[a];
+    const Vec2 q = model.system.particles.reference[b];
+    CHECK(p.x == q.x);
+    CHECK(std::abs(p.x) == 13.5);
+    (p.x < 0 ? left : right) += q.y - p.y;
+  }
+  CHECK(left == Approx(-65.0).epsilon(1e-14));  // sums of some 13 lengths: rounding only
+  CHECK(right == Approx(65.0).epsilon(1e-14));
+}
+
+TEST_CASE("large meshes get all cores and small ones a single thread") {
+  CHECK(default_threads(19999) == 1);
+  CHECK(default_threads(20000) >= 1);
+}
