@@ -113,9 +113,11 @@ void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, c
     compute_forces(system, loops);
     drive(model, state.loading, state.kinetic_ratio);
     update_velocities(system, loops);
-    state.reaction_sum.reaction[0] += system.sums.reaction[0];
-    state.reaction_sum.reaction[1] += system.sums.reaction[1];
-    ++state.steps_in_sample;
+    if (state.loading.phase != LoadingPhase::confining) {  // the first sample shows the end of the hydrostatic stage
+      state.reaction_sum.reaction[0] += system.sums.reaction[0];
+      state.reaction_sum.reaction[1] += system.sums.reaction[1];
+      ++state.steps_in_sample;
+    }
     if (staged(model) || state.loading.phase == LoadingPhase::confining) {
       if (system.step % kEnergyInterval == 0) state.kinetic_ratio = kinetic_ratio(energy_balance(system, loops));
     }

@@ -44,6 +44,20 @@ bool same_bytes(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec2)) == 0;
 }
 
+constexpr double kSpeed = 1e4;  // mm/s; t_c / (density * wave speed) = 6e3 breaks the plaster
+
+/// With little more fracture energy than the hardening needs, so that contacts fail in tension too before they shear.
+RunConfig brittle_plaster() {
+  RunConfig config = test::plaster();
+  config.contacts.fracture_energy_n_per_mm = 0.05;
+  return config;
+}
+
+bool broken_in_both_modes(const System& system) {
+  const CrackCounts cracks = count_cracks(system.contacts, ParallelLoops());
+  return cracks.tension > 3 && cracks.shear > 3;
+}
+
 struct Outcome {
   System system;
   EnergyBalance energy;
@@ -51,15 +65,13 @@ struct Outcome {
 
 Outcome torn_by(int threads) {
   const ParallelLoops loops(threads);
-  Outcome outcome{test::make_system(test::grid_mesh({36, 36})), {}};  // 2,592 triangles: three blocks, 4 of contacts
-  test::scatter_velocities(outcome.system, 1e4);
+  Outcome outcome{test::make_system(test::grid_mesh({36, 36}), brittle_plaster()), {}};  // 2,592 triangles: three blocks, 4 of contacts
+  test::scatter_velocities(outcome.system, kSpeed);
   outcome.system.local_damping = 0.3;
   test::advance(outcome.system, loops, 150);
   outcome.energy = test::advance_with_energy(outcome.system, loops);
   return outcome;
 }
-
-constexpr double kSpeed = 1e4;  // mm/s; t_c / (density * wave speed) = 6e3 breaks the plaster
 
 }  // namespace
 
@@ -78,7 +90,7 @@ TEST_CASE("Rigid motion of a bonded assembly gives no force") {
 }
 
 TEST_CASE("A free assembly keeps its momenta through breakage") {
-  System system = test::make_system(test::grid_mesh({6, 6}));
+  System system = test::make_system(test::grid_mesh({6, 6}), brittle_plaster());
   const ParallelLoops loops;
   test::scatter_velocities(system, kSpeed);
   const Momentum start = momentum(system.particles);
@@ -88,13 +100,13 @@ TEST_CASE("A free assembly keeps its momenta through breakage") {
   const double linear = norm(end.linear - start.linear) / start.linear_size;
   const double angular = std::abs(end.angular - start.angular) / start.angular_size;
   WARN("momentum lost: linear " << linear << ", angular " << angular << "; cracks " << cracks.tension << " + " << cracks.shear);
-  CHECK(cracks.tension + cracks.shear > 10);  // otherwise nothing was tried
+  CHECK(broken_in_both_modes(system));  // otherwise nothing was tried
   CHECK(linear < 1e-13);   // 300 steps of 216 nodes, 1e-16 each, adding up at random
   CHECK(angular < 1e-13);
 }
 
 TEST_CASE("Damage and contact energies never fall in a violent run, under either law") {
-  RunConfig config = test::plaster();
+  RunConfig config = brittle_plaster();
   config.contacts.law.reading = GENERATE(LawReading::consistent, LawReading::literal);
   System system = test::make_system(test::grid_mesh({6, 6}), config);
   const ParallelLoops loops;
@@ -111,12 +123,12 @@ TEST_CASE("Damage and contact energies never fall in a violent run, under either
     }
   }
   CHECK(falls == 0);
-  CHECK(count_cracks(system.contacts, loops).tension > 5);
+  CHECK(broken_in_both_modes(system));
 }
 
 TEST_CASE("Any number of threads gives the same bytes") {
   const Outcome one = torn_by(1);
-  REQUIRE(count_cracks(one.system.contacts, ParallelLoops()).tension > 10);
+  REQUIRE(broken_in_both_modes(one.system));
   for (const int threads : {2, 4}) {
     const Outcome many = torn_by(threads);
     CHECK(same_bytes(one.system.particles.position, many.system.particles.position));

@@ -146,3 +146,16 @@ TEST_CASE("a staged test samples once a stage") {
     CHECK(stage <= 0.02 + 2 * step);  // the closing ends with a whole step
   }
 }
+
+TEST_CASE("the first sample of a triaxial test stands at the end of the hydrostatic stage") {
+  RunConfig config = small_config(ExperimentType::triaxial);
+  config.experiment.confining_pressure_mpa = 0.5;
+  config.experiment.stop.axial_strain = 0.0005;
+  config.experiment.loading.closing_rate_mm_per_s = 400;
+  const Recorded run(config);
+  const Sample& first = run.state.samples.front();
+  CHECK(first.closure_mm == 0.0);
+  CHECK(first.gauge_axial_strain == 0.0);
+  CHECK(first.confining_pressure_mpa == 0.5);
+  CHECK(first.stress_mpa == Approx(0.5).epsilon(0.01));  // the hydrostatic stage's own bar
+}
