@@ -1,5 +1,6 @@
 #include "core/integrator/time_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.hpp"
@@ -25,11 +26,10 @@ std::array<Vec2, 3> linear_triangle(const TriangleShape& shape, const std::array
   return force;
 }
 
-/// Linear forces of a contact edge for small displacements of left1, left2, right1, right2.
-std::array<Vec2, 4> linear_contact(const ContactEdge& edge, const std::vector<Vec2>& x, const std::vector<Vec2>& u,
+/// Linear forces of a contact edge for small displacements u of left1, left2, right1, right2.
+std::array<Vec2, 4> linear_contact(const ContactEdge& edge, const ContactFrame& frame, const std::array<Vec2, 4>& u,
                                    const LawParameters& law) {
-  const ContactFrame frame = contact_frame(edge, x);
-  const Vec2 gap[2] = {u[edge.right1] - u[edge.left1], u[edge.right2] - u[edge.left2]};
+  const Vec2 gap[2] = {u[2] - u[0], u[3] - u[1]};
   constexpr double weight[2][2] = {{kNearGauss, kFarGauss}, {kFarGauss, kNearGauss}};
   Vec2 end[2] = {};
   for (int q = 0; q < 2; ++q) {
@@ -54,7 +54,9 @@ std::vector<Vec2> apply_stiffness(const System& system, const std::vector<Vec2>&
   });
   loops.for_blocks(system.contacts.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
-      const auto f = linear_contact(system.contacts.edges[c], p.reference, u, system.contacts.law);
+      const ContactEdge& e = system.contacts.edges[c];
+      const auto f = linear_contact(e, contact_frame(e, p.reference), {u[e.left1], u[e.left2], u[e.right1], u[e.right2]},
+                                    system.contacts.law);
       for (std::size_t i = 0; i < 4; ++i) forces[3 * triangles + 4 * c + i] = f[i];
     }
   });
@@ -76,30 +78,31 @@ std::vector<Vec2> random_start(std::size_t n) {
   return u;
 }
 
-/// Largest row sum of |K| over a node's two components, divided into the node's share by summing absolute entries.
+/// Adds, for each of N nodes, the larger row sum of |K| over its two components; apply(u) is K u of one element.
+template <std::size_t N, class Apply>
+void add_row_sums(const std::array<int, N>& nodes, const Apply& apply, std::vector<double>& rows) {
+  std::array<Vec2, N> sum{};
+  for (std::size_t j = 0; j < 2 * N; ++j) {
+    std::array<Vec2, N> u{};
+    (j % 2 == 0 ? u[j / 2].x : u[j / 2].y) = 1.0;
+    const std::array<Vec2, N> column = apply(u);
+    for (std::size_t i = 0; i < N; ++i) sum[i] += {std::abs(column[i].x), std::abs(column[i].y)};
+  }
+  for (std::size_t i = 0; i < N; ++i) rows[nodes[i]] += std::max(sum[i].x, sum[i].y);
+}
+
+/// Gershgorin's bound of each node's stiffness: sums over its elements and its platen spring.
 std::vector<double> gershgorin_rows(const System& system) {
   const Particles& p = system.particles;
   std::vector<double> rows(p.node_count(), 0.0);
   for (std::size_t i = 0; i < system.platen_springs.size(); ++i) rows[i] = system.platen_springs[i].stiffness;
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
-    double sum[3][2] = {};
-    for (int j = 0; j < 3; ++j) {
-      for (int axis = 0; axis < 2; ++axis) {
-        std::array<Vec2, 3> u{};
-        (axis == 0 ? u[j].x : u[j].y) = 1.0;
-        const auto f = linear_triangle(p.shapes[t], u, p.elastic);
-        for (int i = 0; i < 3; ++i) {
-          sum[i][0] += std::abs(f[i].x);
-          sum[i][1] += std::abs(f[i].y);
-        }
-      }
-    }
-    for (int i = 0; i < 3; ++i) rows[p.triangles[t][i]] += std::max(sum[i][0], sum[i][1]);
+    add_row_sums<3>(p.triangles[t], [&](const auto& u) { return linear_triangle(p.shapes[t], u, p.elastic); }, rows);
   }
-  // A contact point spreads k_t and k_s over two ends and both sides; |n| and |t| components add up to at most sqrt(2) each.
   for (const ContactEdge& e : system.contacts.edges) {
-    const double row = 0.5 * e.length * 2.0 * std::sqrt(2.0) * (system.contacts.law.k_t + system.contacts.law.k_s);
-    for (int node : {e.left1, e.left2, e.right1, e.right2}) rows[node] += row;
+    const ContactFrame frame = contact_frame(e, p.reference);
+    add_row_sums<4>({e.left1, e.left2, e.right1, e.right2},
+                    [&](const auto& u) { return linear_contact(e, frame, u, system.contacts.law); }, rows);
   }
   return rows;
 }

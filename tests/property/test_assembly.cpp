@@ -65,7 +65,8 @@ struct Outcome {
 
 Outcome torn_by(int threads) {
   const ParallelLoops loops(threads);
-  Outcome outcome{test::make_system(test::grid_mesh({36, 36}), brittle_plaster()), {}};  // 2,592 triangles: three blocks, 4 of contacts
+  Outcome outcome{test::make_system(test::grid_mesh({36, 36}), brittle_plaster()),
+                  {}};  // 2,592 triangles: three blocks, 4 of contacts
   test::scatter_velocities(outcome.system, kSpeed);
   outcome.system.local_damping = 0.3;
   test::advance(outcome.system, loops, 150);
@@ -99,9 +100,10 @@ TEST_CASE("A free assembly keeps its momenta through breakage") {
   const CrackCounts cracks = count_cracks(system.contacts, loops);
   const double linear = norm(end.linear - start.linear) / start.linear_size;
   const double angular = std::abs(end.angular - start.angular) / start.angular_size;
-  WARN("momentum lost: linear " << linear << ", angular " << angular << "; cracks " << cracks.tension << " + " << cracks.shear);
+  WARN("momentum lost: linear " << linear << ", angular " << angular << "; cracks " << cracks.tension << " + "
+                                << cracks.shear);
   CHECK(broken_in_both_modes(system));  // otherwise nothing was tried
-  CHECK(linear < 1e-13);   // 300 steps of 216 nodes, 1e-16 each, adding up at random
+  CHECK(linear < 1e-13);                // 300 steps of 216 nodes, 1e-16 each, adding up at random
   CHECK(angular < 1e-13);
 }
 
@@ -118,7 +120,8 @@ TEST_CASE("Damage and contact energies never fall in a violent run, under either
     for (std::size_t c = 0; c < before.size(); ++c) {
       for (int q = 0; q < 2; ++q) {
         const PointState &was = before[c][q], &is = system.contacts.points[c][q];
-        falls += is.damage < was.damage || is.fracture_energy < was.fracture_energy || is.friction_energy < was.friction_energy;
+        falls += is.damage < was.damage || is.fracture_energy < was.fracture_energy ||
+                 is.friction_energy < was.friction_energy;
       }
     }
   }

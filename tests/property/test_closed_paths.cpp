@@ -19,8 +19,8 @@ const double kPeakEnergy = kLaw.t_c * kLaw.delta_ct + kLaw.c_c * kLaw.delta_cs;
 
 using Update = void (*)(PointState&, double, double, const LawParameters&);
 
-/// Corners of a random closed path: from rest, to the same place back. Sizes from a hundredth of the peak's displacement to
-/// many times it (beyond the ultimate one for some), in closing up to 20 MPa.
+/// Corners of a random closed path: from rest, to the same place back. Sizes from a hundredth of the peak's
+/// displacement to many times it (beyond the ultimate one for some), in closing up to 20 MPa.
 std::vector<Vec2> random_path(RandomStream& random) {
   std::vector<Vec2> corners{{0, 0}};
   const double open = kLaw.delta_ct * std::pow(10.0, random.uniform(-2.0, 1.6));
@@ -28,7 +28,7 @@ std::vector<Vec2> random_path(RandomStream& random) {
   const double slide = kLaw.delta_cs * std::pow(10.0, random.uniform(-2.0, 0.5));
   const int legs = 2 + static_cast<int>(random.below(8));
   for (int i = 0; i < legs; ++i) {
-    const bool keeps_normal = i > 0 && random.uniform() < 0.3, keeps_shear = i > 0 && random.uniform() < 0.3;
+    const bool keeps_normal = i > 0 && random.uniform()<0.3, keeps_shear = i> 0 && random.uniform() < 0.3;
     const Vec2 target{random.uniform(-close, open), random.uniform(-slide, slide)};
     corners.push_back({keeps_normal ? corners.back().x : target.x, keeps_shear ? corners.back().y : target.y});
   }
@@ -75,11 +75,11 @@ Worst worst_of_many(int steps) {
 
 TEST_CASE("Default law: no closed path from the virgin state returns net work, and the account closes") {
   const Worst coarse = worst_of_many(250), fine = worst_of_many(1000);
-  WARN("closed paths: least work " << fine.least_work << " of the peak energy; imbalance worst " << coarse.imbalance << " -> "
-                                   << fine.imbalance << ", mean " << coarse.mean_imbalance << " -> " << fine.mean_imbalance
-                                   << " from 250 to 1000 steps a leg");
-  // Trapezoids miss the work of smooth legs by (step / delta_c)^2 / 12 of the peak energy: largest legs are 40 delta_ct, so
-  // (40 / 1000)^2 / 12 = 1.3e-4 of it.
+  WARN("closed paths: least work " << fine.least_work << " of the peak energy; imbalance worst " << coarse.imbalance
+                                   << " -> " << fine.imbalance << ", mean " << coarse.mean_imbalance << " -> "
+                                   << fine.mean_imbalance << " from 250 to 1000 steps a leg");
+  // Trapezoids miss the work of smooth legs by (step / delta_c)^2 / 12 of the peak energy: largest legs are 40
+  // delta_ct, so (40 / 1000)^2 / 12 = 1.3e-4 of it.
   CHECK(fine.least_work > -1.3e-4);
   CHECK(fine.imbalance < 1.3e-4);
   CHECK(fine.mean_imbalance < 0.1 * coarse.mean_imbalance);  // 1/16 for second order: it is discretisation, not the law

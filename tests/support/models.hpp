@@ -52,7 +52,8 @@ inline RunConfig plaster(PlaneCondition plane = PlaneCondition::stress) {
   return config;
 }
 
-/// A law of the plaster's stiffness that stays linear: strengths so large that displacements of millimetres are nothing.
+/// A law of the plaster's stiffness that stays linear: strengths so large that displacements of millimetres are
+/// nothing.
 inline LawParameters unbreakable_law() {
   RunConfig config = plaster();
   config.contacts.tensile_strength_mpa = config.contacts.cohesion_mpa = 1e12;

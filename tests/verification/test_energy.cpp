@@ -13,7 +13,8 @@ namespace {
 /// Two particles that share an edge of 2 mm, turned out of the axes; the right one is pulled off.
 System two_particles() {
   Mesh mesh;
-  for (const Vec2 v : {Vec2{0, 0}, Vec2{2, 0}, Vec2{1, 1.7}, Vec2{1, -1.7}}) mesh.vertices.push_back(test::turned(v, 0.4));
+  for (const Vec2 v : {Vec2{0, 0}, Vec2{2, 0}, Vec2{1, 1.7}, Vec2{1, -1.7}})
+    mesh.vertices.push_back(test::turned(v, 0.4));
   mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
   mesh.grain = {0, 1};
   return test::make_system(mesh);
@@ -43,7 +44,8 @@ TEST_CASE("A single contact driven open dissipates G_f, by the work on the held 
   system.held.assign(system.particles.node_count(), 1);
   const Vec2 away = contact_frame(system.contacts.edges[0], system.particles.position).normal;
   const double speed = 100.0;
-  for (int node : system.particles.triangles[1]) system.particles.velocity[static_cast<std::size_t>(node)] = speed * away;
+  for (int node : system.particles.triangles[1])
+    system.particles.velocity[static_cast<std::size_t>(node)] = speed * away;
   const int steps = 5000;
   system.time_step = 1.01 * law.delta_ut / speed / steps;
   test::advance(system, loops, steps);
@@ -60,15 +62,17 @@ TEST_CASE("The energy account of a coarse Brazilian test closes, platens smooth 
   const double friction = GENERATE(0.0, 0.3);
   const Sample end = last_sample(friction);
   WARN("coarse disc, platen friction " << friction << ": cracks " << end.cracks_tension << " + " << end.cracks_shear
-                                       << ", closure error over work " << end.energy.error() / end.energy.external_work);
-  CHECK(end.cracks_tension + end.cracks_shear > 10);
+                                       << ", closure error over work "
+                                       << end.energy.error() / end.energy.external_work);
+  CHECK(end.cracks_tension + end.cracks_shear > 5);                       // it failed
   CHECK(std::abs(end.energy.error()) < 1e-3 * end.energy.external_work);  // the requirement
 }
 
-TEST_CASE("The literal law's account misses what it says it created") {
+TEST_CASE("The literal law's account is out by exactly what the law says it created") {
   const Sample end = last_sample(0.0, LawReading::literal);
-  WARN("coarse disc, literal law: closure error over work " << end.energy.error() / end.energy.external_work << ", created by law "
+  WARN("coarse disc, literal law: closure error over work " << end.energy.error() / end.energy.external_work
+                                                            << ", created by law "
                                                             << end.energy.created_by_law / end.energy.external_work);
-  // error = work - sum; the law's own gain is in the sum. What is left is the scheme's error at breaks, 1 % here.
-  CHECK(std::abs(end.energy.error() + end.energy.created_by_law) < 0.01 * end.energy.external_work);
+  // error = work - sum; the law's own gain is in the sum. What is left is the scheme's error, as with the default law.
+  CHECK(std::abs(end.energy.error() + end.energy.created_by_law) < 1e-3 * end.energy.external_work);
 }

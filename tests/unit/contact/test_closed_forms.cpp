@@ -30,7 +30,8 @@ TEST_CASE("Eqs 12 and 13 give the paper's stiffnesses") {
 }
 
 TEST_CASE("Eq 14 agrees with Eq 12 when inverted, and not as printed") {
-  const double ratio = shear_stiffness(kPlaster, PlaneCondition::stress) / tensile_stiffness(kPlaster, PlaneCondition::stress);
+  const double ratio =
+      shear_stiffness(kPlaster, PlaneCondition::stress) / tensile_stiffness(kPlaster, PlaneCondition::stress);
   CHECK(stiffness_ratio(kPlaster) == Approx(ratio).epsilon(kRounding));
   CHECK(stiffness_ratio(kPlaster) == Approx(0.279).margin(0.0005));             // three digits in the audit
   CHECK(stiffness_ratio_as_printed(kPlaster) == Approx(0.622).margin(0.0005));  // three digits in the paper
@@ -50,7 +51,8 @@ TEST_CASE("Eq 10 and its inverse") {
     const double g_f = fracture_energy(6.89, 0.0075, delta_ut);
     CHECK(ultimate_tensile_displacement(6.89, 0.0075, g_f) == Approx(delta_ut).epsilon(kRounding));
   }
-  // Its first term is the area under Eq 3's hardening curve: midpoint rule of 2000 intervals, error (1/2000)^2 / 24 k t.
+  // Its first term is the area under Eq 3's hardening curve: midpoint rule of 2000 intervals, error (1/2000)^2 / 24 k
+  // t.
   double area = 0.0;
   for (int i = 0; i < 2000; ++i) area += (i + 0.5) / 2000 * std::exp(1.0 - (i + 0.5) / 2000) / 2000;
   CHECK(fracture_energy(1.0, 1.0, 1.0) == Approx(area).epsilon(1e-6));
@@ -65,7 +67,8 @@ TEST_CASE("Eq 33 and Table 7") {
   double sum = 0.0;
   for (int m = 8; m <= 12; ++m) {
     for (int n = 13; n <= 18; ++n) {
-      CHECK(beta(m, n) == Approx(kTable7[m - 8][n - 13]).margin(0.006));  // printed to 0.01, a few of them cut, not rounded
+      CHECK(beta(m, n) ==
+            Approx(kTable7[m - 8][n - 13]).margin(0.006));  // printed to 0.01, a few of them cut, not rounded
       sum += beta(m, n);
     }
   }

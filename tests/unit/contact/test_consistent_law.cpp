@@ -100,7 +100,8 @@ TEST_CASE("Default law: the stress is continuous where a contact opens") {
   const double small = 1e-9 * kLaw.delta_ct;
   for (int i = 0; i < 500; ++i) {
     PointState s;
-    for (int leg = 0; leg < 3; ++leg) drive(s, random.uniform(-4, 4) * kLaw.delta_ct, random.uniform(-2, 2) * kLaw.delta_cs, 50);
+    for (int leg = 0; leg < 3; ++leg)
+      drive(s, random.uniform(-4, 4) * kLaw.delta_ct, random.uniform(-2, 2) * kLaw.delta_cs, 50);
     drive(s, -small, random.uniform(-1, 1) * kLaw.delta_cs, 50);
     PointState open = s;
     consistent_law::update(open, small, s.shear, kLaw);
@@ -144,7 +145,8 @@ TEST_CASE("Default law: broken in tension has only friction, with slope k_s belo
   const double spent = s.friction_energy;
   drive(s, s.normal, 3.0 * limit / kLaw.k_s);
   CHECK(s.traction_s == Approx(limit).epsilon(kRounding));
-  CHECK(s.friction_energy - spent == Approx(limit * 2.0 * limit / kLaw.k_s).epsilon(0.01));  // one step of 80 is partly elastic
+  CHECK(s.friction_energy - spent ==
+        Approx(limit * 2.0 * limit / kLaw.k_s).epsilon(0.01));  // one step of 80 is partly elastic
   drive(s, s.normal, -3.0 * limit / kLaw.k_s);
   CHECK(s.traction_s == Approx(-limit).epsilon(kRounding));
 }

@@ -70,7 +70,8 @@ TEST_CASE("Literal law: pulling apart spends G_f") {
   // Steps of delta_ut / 5000: the energies are exact on straight pieces, the step that passes delta_ct costs (1/200)^2.
   PointState s;
   drive(s, 1.001 * kLaw.delta_ut, 0, kLaw, 5000);
-  CHECK(s.fracture_energy == Approx(closed_forms::fracture_energy(kLaw.t_c, kLaw.delta_ct, kLaw.delta_ut)).epsilon(1e-3));
+  CHECK(s.fracture_energy ==
+        Approx(closed_forms::fracture_energy(kLaw.t_c, kLaw.delta_ct, kLaw.delta_ut)).epsilon(1e-3));
 }
 
 TEST_CASE("Literal law: Eq 6 peaks at c_c whatever the pressure and drops or jumps to friction") {

@@ -6,7 +6,6 @@
 
 #include "core/base/error.hpp"
 #include "core/output/atomic_file.hpp"
-#include "core/output/run_tables.hpp"
 #include "tests/unit/experiment/small_models.hpp"
 
 using namespace asperity;
@@ -58,6 +57,12 @@ bool same_bits(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec2)) == 0;
 }
 
+/// Padding follows the last count.
+bool same_bits(const Sample& a, const Sample& b) {
+  const std::size_t counted = offsetof(Sample, contacts_softening) + sizeof a.contacts_softening;
+  return std::memcmp(&a, &b, counted) == 0 && std::memcmp(&a.energy, &b.energy, sizeof a.energy) == 0;
+}
+
 void check_same_points(const BondedContacts& a, const BondedContacts& b) {
   for (std::size_t c = 0; c < a.size(); ++c) {
     for (int q = 0; q < 2; ++q) {
@@ -77,7 +82,7 @@ void check_same(const Run& a, const Run& b) {
   check_same_points(a.model.system.contacts, b.model.system.contacts);
   REQUIRE(a.state.samples.size() == b.state.samples.size());
   for (std::size_t i = 0; i < a.state.samples.size(); ++i) {
-    REQUIRE(curve_row(a.state.samples[i]) == curve_row(b.state.samples[i]));
+    REQUIRE(same_bits(a.state.samples[i], b.state.samples[i]));
   }
   CHECK(a.state.frames == b.state.frames);
   CHECK(a.state.loading.phase == b.state.loading.phase);

@@ -44,14 +44,24 @@ TEST_CASE("mass scaling reaches the time step asked for and says how much mass i
   config.integration.mass_scaling_time_step_s = step;
   const Model model = small_model(config);
   CHECK(model.added_mass_fraction > 0.0);
-  CHECK(model.system.time_step >= step);
+  CHECK(model.system.time_step == step);
+  CHECK(model.critical_time_step > step);
 }
 
-TEST_CASE("platens touch the specimen's ends and take their stiffness from the contacts") {
+TEST_CASE("platens touch the specimen's ends, with the contacts' stiffness spread over the ends' length") {
   const Model model = small_model(small_config(ExperimentType::uniaxial));
-  CHECK(model.system.platens.present);
-  CHECK(model.system.platens.y == std::array<double, 2>{0.0, 65.0});
-  CHECK(model.system.platens.node_stiffness == 0.5 * 5.0 * model.system.contacts.law.k_t);
+  const System& system = model.system;
+  CHECK(system.platens.present);
+  CHECK(system.platens.y == std::array<double, 2>{0.0, 65.0});
+  double bottom = 0.0, top = 0.0;
+  for (std::size_t i = 0; i < system.particles.node_count(); ++i) {
+    const PlatenSpring& spring = system.platen_springs[i];
+    const double y = system.particles.reference[i].y;
+    CHECK(spring.stiffness > 0.0);
+    if (spring.skin == 0.0) (y < 32.5 ? bottom : top) += spring.stiffness;
+  }
+  CHECK(bottom == Approx(27 * system.contacts.law.k_t).epsilon(1e-14));  // a sum of ten halves: rounding only
+  CHECK(top == Approx(27 * system.contacts.law.k_t).epsilon(1e-14));
 }
 
 TEST_CASE("a disc has neither flanks nor gauges") {
