@@ -181,8 +181,10 @@ int carry_out(Session& s, const ParallelLoops& loops) {
       s.manifest.timings_s["render_s"] = render_s;
     }
   } catch (const std::exception& error) {
-    write_crack_tables(s);
-    end(s, Outcome::failed, error.what());
+    try {
+      end(s, Outcome::failed, error.what());
+    } catch (const std::exception&) {  // e.g. the disk is full: the first failure is the one to tell
+    }
     throw;
   }
   end(s, Outcome::finished, describe(s.state.stop));
@@ -220,18 +222,26 @@ Manifest new_manifest(const Build& b, const std::string& hash) {
   return m;
 }
 
-int run_in(RunFolder folder, Build b, const std::string& hash, const SessionOptions& options, bool from_checkpoint) {
+/// Computing and writing times of an interrupted run that is gone on with.
+struct EarlierCost {
+  double compute_s = 0, output_s = 0;
+};
+
+int run_in(RunFolder folder, Build b, const std::string& hash, const SessionOptions& options,
+           const std::optional<EarlierCost>& earlier) {
   Manifest manifest = new_manifest(b, hash);
   Session session{std::move(folder), std::move(b.model), {}, hash, std::move(manifest), options};
   // A checkpoint that is refused must leave the folder as it was: it is read before anything is written.
-  if (from_checkpoint) {
+  if (earlier) {
     read_checkpoint(session.checkpoint_file(), session.model, session.state, hash);
+    session.compute_s = earlier->compute_s;
+    session.output_s = earlier->output_s;
   } else {
     session.state = start_run(session.model);
   }
   write_manifest(session.folder.manifest(), session.manifest);
   open_log_file(session.folder.log(), session.manifest.libraries);
-  if (from_checkpoint) log_info("resumed at step " + std::to_string(session.model.system.step));
+  if (earlier) log_info("resumed at step " + std::to_string(session.model.system.step));
   return carry_out(session, *b.loops);
 }
 
@@ -251,7 +261,7 @@ int run_from_start(const RunConfig& config, const std::string& original, const s
   RunFolder folder = RunFolder::begin(root, identity, existing);
   write_file_atomically(folder.original_config(), original);
   write_file_atomically(folder.effective_config(), effective_json(config));
-  return run_in(std::move(folder), std::move(b), hash, options, false);
+  return run_in(std::move(folder), std::move(b), hash, options, std::nullopt);
 }
 
 int resume_run(const std::filesystem::path& root, const SessionOptions& options) {
@@ -268,8 +278,12 @@ int resume_run(const std::filesystem::path& root, const SessionOptions& options)
     throw Error(ErrorKind::output, {{folder.effective_config().string(), "is not the configuration this run was started with", hash,
                                      old.config_hash, "start a new run with `asperity run`"}});
   }
-  const bool from_checkpoint = std::filesystem::exists(folder.checkpoint() / "state.bin");
-  return run_in(std::move(folder), build(config, options), hash, options, from_checkpoint);
+  std::optional<EarlierCost> earlier;
+  if (std::filesystem::exists(folder.checkpoint() / "state.bin")) {
+    earlier = EarlierCost{old.timings_s.contains("compute_s") ? old.timings_s.at("compute_s") : 0.0,
+                          old.timings_s.contains("output_s") ? old.timings_s.at("output_s") : 0.0};
+  }
+  return run_in(std::move(folder), build(config, options), hash, options, earlier);
 }
 
 }  // namespace asperity::app

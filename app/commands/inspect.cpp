@@ -2,6 +2,7 @@
 #include <thread>
 
 #include "app/commands/commands.hpp"
+#include "app/exit_code.hpp"
 #include "app/libraries.hpp"
 #include "app/pictures.hpp"
 #include "core/base/build_info.hpp"
@@ -15,7 +16,7 @@
 namespace asperity::app {
 
 int validate_command(const std::vector<std::filesystem::path>& configs, const std::vector<std::string>& overrides) {
-  int failures = 0;
+  int code = 0;
   for (const std::filesystem::path& path : configs) {
     try {
       const Model model = build_model(read_run_config(path, overrides), ParallelLoops());
@@ -23,11 +24,11 @@ int validate_command(const std::vector<std::filesystem::path>& configs, const st
                 << model.system.time_step << " s)\n";
     } catch (const Error& error) {
       if (error.kind() == ErrorKind::usage) throw;
-      ++failures;
+      code = exit_code(error.kind());
       std::cerr << path.string() << ":\n" << error.what() << "\n";
     }
   }
-  return failures == 0 ? 0 : static_cast<int>(ErrorKind::config);
+  return code;
 }
 
 int schema_command(const std::string& kind) {

@@ -83,10 +83,19 @@ Result too_many_triangles(const RunConfig& config) {
 Result edges_scatter_too_much(const RunConfig& config) {
   constexpr double kLargestScatter = 0.3;
   const ParticleConfig& p = config.particles;
-  if (p.edge_deviation_mm < kLargestScatter * p.edge_mm) return {};
+  if (p.edge_deviation() < kLargestScatter * p.edge_mm) return {};
   return fault_at(config, kEdgeDeviation, "the edges would scatter too much to be meshed",
                   "below " + rounded(kLargestScatter * p.edge_mm) + " mm, 30 % of edge_mm " + number_text(p.edge_mm),
                   "the paper has 10 % of edge_mm");
+}
+
+Result edges_scatter_too_little(const RunConfig& config) {
+  constexpr double kSmallestScatter = 0.07;  // what an irregular arrangement of triangles can be relaxed to
+  const ParticleConfig& p = config.particles;
+  if (p.kind == ParticleKind::voronoi || p.edge_deviation() >= kSmallestScatter * p.edge_mm) return {};
+  return fault_at(config, kEdgeDeviation, "no irregular arrangement has edges so equal",
+                  "at least " + rounded(kSmallestScatter * p.edge_mm) + " mm, 7 % of edge_mm " + number_text(p.edge_mm),
+                  "leave it out: it is then a tenth of edge_mm");
 }
 
 Result grains_too_small(const RunConfig& config) {
@@ -154,6 +163,7 @@ const std::vector<Check>& checks() {
       {{kType, kWidth, kHeight, kDiameter, kEdge}, edge_too_long},
       {{kType, kWidth, kHeight, kDiameter, kEdge}, too_many_triangles},
       {{kEdge, kEdgeDeviation}, edges_scatter_too_much},
+      {{kEdge, kEdgeDeviation}, edges_scatter_too_little},
       {{kKind, kEdge, kGrainSize}, grains_too_small},
       {{kType, kWidth, kHeight, kDiameter, kKind, kGrainSize}, grains_too_large},
       {{kType, kPlane, "/material", "/contacts"}, fracture_energy_too_small},

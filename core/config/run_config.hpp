@@ -69,12 +69,13 @@ struct MaterialConfig {
 struct ParticleConfig {
   ParticleKind kind = ParticleKind::triangle;
   double edge_mm = 2.0;
-  double edge_deviation_mm = 0.2;
+  std::optional<double> edge_deviation_mm;  ///< Unset: a tenth of edge_mm, as in the paper.
   double grain_size_mm = 4.0;  ///< Voronoi: mean grain diameter.
   std::uint64_t seed = 1;
   double youngs_modulus_gpa = 1.3;
   double poissons_ratio = 0.2;
   double density_kg_per_m3 = 1200.0;
+  double edge_deviation() const { return edge_deviation_mm.value_or(0.1 * edge_mm); }  ///< mm
   bool operator==(const ParticleConfig&) const = default;
 };
 

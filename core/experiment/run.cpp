@@ -27,8 +27,9 @@ Sample measure(const Model& model, const RunState& state, const ParallelLoops& l
   s.gauge_axial_strain = gauges.axial - state.loading.zero_gauges.axial;
   s.lateral_strain = gauges.lateral - state.loading.zero_gauges.lateral;
   const double steps = static_cast<double>(std::max<std::int64_t>(1, state.steps_in_sample));
-  const double bottom = state.reaction_sum.reaction[0] / steps;
-  const double top = state.reaction_sum.reaction[1] / steps;
+  // A stage's row is read at its equilibrium (the paper's Sect. 3.1.2), a continuous test's is a mean over its steps.
+  const double bottom = staged(model) ? system.sums.reaction[0] : state.reaction_sum.reaction[0] / steps;
+  const double top = staged(model) ? system.sums.reaction[1] : state.reaction_sum.reaction[1] / steps;
   s.load_n_per_mm = 0.5 * (bottom + top);
   s.reaction_bottom_n = bottom * e.thickness_mm;
   s.reaction_top_n = top * e.thickness_mm;

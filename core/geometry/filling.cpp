@@ -26,7 +26,7 @@ Mesh first_success(const ParticleConfig& particles, std::string_view stream,
   throw Error(ErrorKind::numerical,
               fmt::format("no mesh of the asked quality in {} attempts (seed {}, edge {} mm, "
                           "deviation {} mm): {}",
-                          kAttempts, particles.seed, particles.edge_mm, particles.edge_deviation_mm, reason));
+                          kAttempts, particles.seed, particles.edge_mm, particles.edge_deviation(), reason));
 }
 
 Mesh to_mesh(const PointSet& set, const Triangulation& triangulation, std::vector<int> grain, double outline_area_mm2) {

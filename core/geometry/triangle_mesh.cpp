@@ -23,7 +23,7 @@ int inner_points(double triangles, int outline_points) {
 
 void require(const Regularity& r, const ParticleConfig& particles) {
   const bool good = std::abs(r.edge_mean_mm / particles.edge_mm - 1.0) <= kMeanTolerance &&
-                    r.edge_deviation_mm <= kDeviationTolerance * particles.edge_deviation_mm &&
+                    r.edge_deviation_mm <= kDeviationTolerance * particles.edge_deviation() &&
                     r.angle_min_deg >= kAngleMinDeg;
   if (good) return;
   throw Error(ErrorKind::numerical,
@@ -36,7 +36,7 @@ Relaxed fill(PointSet& set, const Outline& outline, const ParticleConfig& partic
   const int points = inner_points(triangles, static_cast<int>(set.points.size()));
   throw_darts(set, positions(set), points, kDartSpacing * particles.edge_mm, random);
   RelaxationGoal goal;
-  goal.edge_deviation = particles.edge_deviation_mm / particles.edge_mm;
+  goal.edge_deviation = particles.edge_deviation() / particles.edge_mm;
   goal.angle_min_deg = kAngleMinDeg;
   return relax(set, outline, goal);
 }
@@ -44,7 +44,7 @@ Relaxed fill(PointSet& set, const Outline& outline, const ParticleConfig& partic
 }  // namespace
 
 Mesh triangle_mesh(const Outline& outline, const ParticleConfig& particles) {
-  const double scatter = particles.edge_deviation_mm / particles.edge_mm;
+  const double scatter = particles.edge_deviation() / particles.edge_mm;
   // Scattered edges are longer on average than equilateral ones of the same number; the excess, about 2.6 scatter^2
   // (fitted), is corrected from each attempt for the next.
   double triangles = equilateral_count(outline.area_mm2, particles.edge_mm) * (1.0 + 2.6 * scatter * scatter);

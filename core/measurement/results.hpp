@@ -36,7 +36,8 @@ struct MohrCoulomb {
   double residual_mpa = 0;  ///< Root mean square of sigma_1 about the line.
 };
 
-/// Least squares of sigma_1 over sigma_3; needs two different confining pressures. Throws a config error otherwise.
+/// Least squares of sigma_1 over sigma_3; needs two different confining pressures. Throws a config error otherwise, and
+/// a tolerance error where the line falls.
 MohrCoulomb fit_mohr_coulomb(std::span<const double> confining_mpa, std::span<const double> peak_mpa);
 
 }  // namespace asperity

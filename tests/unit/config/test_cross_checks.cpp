@@ -192,3 +192,10 @@ TEST_CASE("pointers overlap at whole tokens") {
   CHECK_FALSE(pointers_overlap("/a/b", "/a/bc"));
   CHECK_FALSE(pointers_overlap("/a/b", "/a/c"));
 }
+
+TEST_CASE("edges too equal for an irregular arrangement are refused, and left out they are a tenth of the edge") {
+  CHECK_FALSE(refusal(kDisc, {"/particles/edge_mm=5"}).kind);
+  const Fault fault = only_fault(kDisc, "/particles/edge_deviation_mm=0.1");
+  CHECK(fault.where == "/particles/edge_deviation_mm");
+  CHECK_THAT(fault.allowed, Catch::Contains("7 %"));
+}

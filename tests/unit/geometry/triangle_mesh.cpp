@@ -17,8 +17,8 @@ void check_quality(const Mesh& mesh, const ParticleConfig& p) {
   INFO("edge " << p.edge_mm << " seed " << p.seed << ": mean " << q.edge_mean_mm << " deviation " << q.edge_deviation_mm
                << " angle " << q.angle_min_deg);
   CHECK(std::abs(q.edge_mean_mm / p.edge_mm - 1.0) < 0.02);
-  CHECK(q.edge_deviation_mm <= 1.25 * p.edge_deviation_mm);
-  CHECK(q.edge_deviation_mm >= 0.8 * p.edge_deviation_mm);  // Irregular, not relaxed into a crystal.
+  CHECK(q.edge_deviation_mm <= 1.25 * p.edge_deviation());
+  CHECK(q.edge_deviation_mm >= 0.8 * p.edge_deviation());  // Irregular, not relaxed into a crystal.
   CHECK(q.angle_min_deg >= 25.0);
   CHECK(q.sixfold_fraction < 0.8);  // 1 for a crystal; 0.59 to 0.75 measured.
   // 1 for a crystal. Domains of some ten vertices turn alike by chance, so that the fewer triangles, the larger: up to
