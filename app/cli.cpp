@@ -33,8 +33,9 @@ void add_run(CLI::App& cli, Action& action) {
   command->add_flag("--no-render{false}", options->render, "Writes VTU files and tables but draws no picture");
   command->add_flag("--force", options->force, "Runs again, replacing the run that lies in the folder");
   command->add_flag("--quiet", options->quiet, "No progress on stderr");
-  command->footer("Examples:\n  asperity run configs/quickstart.json\n"
-                  "  asperity run configs/paper/uniaxial.json --set /particles/seed=7 --out outputs/seed7");
+  command->footer(
+      "Examples:\n  asperity run configs/quickstart.json\n"
+      "  asperity run configs/paper/uniaxial.json --set /particles/seed=7 --out outputs/seed7");
   command->callback([options, &action] { action = [options] { return run_command(*options); }; });
 }
 
@@ -52,7 +53,8 @@ void add_resume(CLI::App& cli, Action& action) {
 void add_validate(CLI::App& cli, Action& action) {
   auto configs = std::make_shared<std::vector<std::filesystem::path>>();
   auto overrides = std::make_shared<std::vector<std::string>>();
-  CLI::App* command = cli.add_subcommand("validate", "Makes every check of `run`, the mesh's included, and writes nothing");
+  CLI::App* command =
+      cli.add_subcommand("validate", "Makes every check of `run`, the mesh's included, and writes nothing");
   command->add_option("config", *configs, "Run configurations (JSON)")->required();
   add_overrides(*command, *overrides);
   command->footer("Example:\n  asperity validate configs/paper/*.json");
@@ -69,7 +71,8 @@ void add_schema(CLI::App& cli, Action& action) {
 
 void add_derive(CLI::App& cli, Action& action) {
   auto options = std::make_shared<DeriveOptions>();
-  CLI::App* command = cli.add_subcommand("derive", "Prints the closed forms of a configuration, each with its equation");
+  CLI::App* command =
+      cli.add_subcommand("derive", "Prints the closed forms of a configuration, each with its equation");
   command->add_option("config", options->config, "Run configuration (JSON)")->required();
   add_overrides(*command, options->overrides);
   command->add_flag("--json", options->json, "Prints JSON");
@@ -81,7 +84,8 @@ void add_render(CLI::App& cli, Action& action) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = cli.add_subcommand("render", "Draws a finished run again, from its VTU files alone");
   command->add_option("run_dir", options->run_dir, "Run folder")->required();
-  command->add_option("--field", options->fields, "cracks, damage, stress, shear_stress, fragments or displacement; may be repeated");
+  command->add_option("--field", options->fields,
+                      "cracks, damage, stress, shear_stress, fragments or displacement; may be repeated");
   command->add_option("--frames", options->frames, "all, last or a frame's number")->capture_default_str();
   command->footer("Example:\n  asperity render outputs/quickstart --field displacement --frames last");
   command->callback([=, &action] { action = [=] { return render_command(*options); }; });
@@ -89,10 +93,13 @@ void add_render(CLI::App& cli, Action& action) {
 
 void add_audit(CLI::App& cli, Action& action) {
   auto options = std::make_shared<AuditOptions>();
-  CLI::App* command = cli.add_subcommand("audit", "Makes the table of the paper's law and its departures again, beside the figures known before");
+  CLI::App* command = cli.add_subcommand(
+      "audit", "Makes the table of the paper's law and its departures again, beside the figures known before");
   command->add_option("--seeds", options->seeds, "Meshes a row")->capture_default_str()->check(CLI::Range(1, 100));
   command->add_option("--jobs", options->jobs, "Runs at once; default one a core")->check(CLI::Range(1, 1024));
-  command->add_option("--rows", options->rows, "Rows of the table, e.g. 1,2; default all six")->delimiter(',')->check(CLI::Range(1, 6));
+  command->add_option("--rows", options->rows, "Rows of the table, e.g. 1,2; default all six")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 6));
   command->add_option("--configs", options->configs, "Folder of the four tests' configurations")->capture_default_str();
   command->add_option("--out", options->out, "Folder for table.csv and table.md")->capture_default_str();
   command->footer("Example:\n  asperity audit --seeds 3\n  asperity audit --rows 1,2 --out outputs/audit_literal");
@@ -114,7 +121,8 @@ void explain_unknown_command(const CLI::App& cli) {
     names.push_back(command->get_name());
   }
   const std::string meant = closest(words.front(), names);
-  std::cerr << "error: " << words.front() << ": is no command" << (meant.empty() ? "" : ". Hint: did you mean " + meant + "?") << '\n';
+  std::cerr << "error: " << words.front() << ": is no command"
+            << (meant.empty() ? "" : ". Hint: did you mean " + meant + "?") << '\n';
 }
 
 }  // namespace
@@ -123,8 +131,10 @@ int run_command_line(int argc, char** argv) {
   CLI::App cli{"Asperity: a desktop-free workbench for rock failure", "asperity"};
   cli.set_version_flag("--version", build_info().version);
   cli.require_subcommand(1);
-  cli.footer("Start with:\n  asperity run configs/quickstart.json\n\nExit codes: 0 done, 1 unexpected, 2 usage, 3 config or data, "
-             "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
+  cli.footer(
+      "Start with:\n  asperity run configs/quickstart.json\n\nExit codes: 0 done, 1 unexpected, 2 usage, 3 config or "
+      "data, "
+      "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
   Action action;
   for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_audit, add_info}) {
     add(cli, action);

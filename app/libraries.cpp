@@ -15,8 +15,11 @@ std::string json_version() {
 }  // namespace
 
 std::map<std::string, std::string> library_versions() {
-  return {{"CGAL", ASPERITY_CGAL_VERSION}, {"CLI11", CLI11_VERSION},           {"VTK", ASPERITY_VTK_VERSION},
-          {"oneTBB", ASPERITY_TBB_VERSION}, {"nlohmann_json", json_version()}};
+  return {{"CGAL", ASPERITY_CGAL_VERSION},
+          {"CLI11", CLI11_VERSION},
+          {"VTK", ASPERITY_VTK_VERSION},
+          {"oneTBB", ASPERITY_TBB_VERSION},
+          {"nlohmann_json", json_version()}};
 }
 
 }  // namespace asperity::app

@@ -18,7 +18,8 @@ std::vector<render::Field> parse_fields(const std::vector<std::string>& names) {
     const auto field = render::field_from_name(name);
     if (!field) {
       std::string known;
-      for (render::Field f : render::all_fields()) known += (known.empty() ? "" : ", ") + std::string(render::field_name(f));
+      for (render::Field f : render::all_fields())
+        known += (known.empty() ? "" : ", ") + std::string(render::field_name(f));
       throw Error(ErrorKind::usage, {{"--field", "is no field that can be drawn", name, known, ""}});
     }
     fields.push_back(*field);
@@ -36,8 +37,8 @@ std::vector<int> parse_frames(const std::string& text, int count) {
   int frame = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), frame);
   if (error != std::errc() || end != text.data() + text.size() || frame < 0 || frame >= count) {
-    throw Error(ErrorKind::usage,
-                {{"--frames", "names no frame of this run", text, "all, last, or 0 to " + std::to_string(count - 1), ""}});
+    throw Error(ErrorKind::usage, {{"--frames", "names no frame of this run", text,
+                                    "all, last, or 0 to " + std::to_string(count - 1), ""}});
   }
   return {frame};
 }
@@ -75,16 +76,23 @@ void plot_energy(const CsvData& energy, const std::filesystem::path& path) {
   using render::SeriesKind;
   const std::vector<double> strain = scaled(energy.numbers("axial_strain"), 100);
   const auto area = [&](const char* label, const char* column) {
-    return render::PlotSeries{label, strain, energy.numbers(column), {SeriesKind::stacked_area, render::VerticalAxis::left, {}}};
+    return render::PlotSeries{
+        label, strain, energy.numbers(column), {SeriesKind::stacked_area, render::VerticalAxis::left, {}}};
   };
   render::Plot plot;
   plot.title = "Energy account";
   plot.x_label = "axial strain [%]";
   plot.y_label = "energy [N mm]";
-  plot.series = {area("elastic, particles", "elastic_n_mm"), area("recoverable, contacts", "recoverable_n_mm"),
-                 area("fracture", "fracture_n_mm"), area("friction", "friction_n_mm"), area("damping", "damping_n_mm"),
+  plot.series = {area("elastic, particles", "elastic_n_mm"),
+                 area("recoverable, contacts", "recoverable_n_mm"),
+                 area("fracture", "fracture_n_mm"),
+                 area("friction", "friction_n_mm"),
+                 area("damping", "damping_n_mm"),
                  area("kinetic", "kinetic_n_mm"),
-                 {"external work", strain, energy.numbers("external_work_n_mm"), {SeriesKind::line, render::VerticalAxis::left, 0}}};
+                 {"external work",
+                  strain,
+                  energy.numbers("external_work_n_mm"),
+                  {SeriesKind::line, render::VerticalAxis::left, 0}}};
   render::write_plot(plot, path);
 }
 
@@ -100,7 +108,10 @@ void plot_cracks(const CsvData& curves, bool compression, const std::filesystem:
   plot.series = {{"tension", strain, tension, {}},
                  {"shear", strain, shear, {}},
                  {"all", strain, sum(tension, shear), {}},
-                 {"stress", strain, curves.numbers("axial_stress_mpa"), {render::SeriesKind::line, render::VerticalAxis::right, {}}}};
+                 {"stress",
+                  strain,
+                  curves.numbers("axial_stress_mpa"),
+                  {render::SeriesKind::line, render::VerticalAxis::right, {}}}};
   render::write_plot(plot, path);
 }
 
@@ -112,7 +123,8 @@ void draw_frames(const RunFolder& folder, const OutputConfig& output, const std:
   render::PictureOptions options;
   options.width = output.width_px;
   options.height = output.height_px;
-  render::draw_series(folder.root(), parse_fields(fields.empty() ? output.fields : fields), parse_frames(frames, count), options);
+  render::draw_series(folder.root(), parse_fields(fields.empty() ? output.fields : fields), parse_frames(frames, count),
+                      options);
 }
 
 void draw_plots(const RunFolder& folder, ExperimentType type) {

@@ -7,7 +7,8 @@
 
 namespace asperity::app {
 
-/// Draws frames/ from the run's VTU files. `fields` empty: those of the configuration; `frames` is "all", "last" or a number.
+/// Draws frames/ from the run's VTU files. `fields` empty: those of the configuration; `frames` is "all", "last" or a
+/// number.
 void draw_frames(const RunFolder& folder, const OutputConfig& output, const std::vector<std::string>& fields,
                  const std::string& frames);
 

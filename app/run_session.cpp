@@ -247,8 +247,8 @@ int run_in(RunFolder folder, Build b, const std::string& hash, const SessionOpti
 
 }  // namespace
 
-int run_from_start(const RunConfig& config, const std::string& original, const std::filesystem::path& root, ExistingRun existing,
-                   const SessionOptions& options) {
+int run_from_start(const RunConfig& config, const std::string& original, const std::filesystem::path& root,
+                   ExistingRun existing, const SessionOptions& options) {
   const std::string hash = config_hash(config);
   const RunIdentity identity = identity_of(hash);
   if (decide_folder_use(root, identity, existing).use == FolderUse::reuse) {
@@ -275,8 +275,9 @@ int resume_run(const std::filesystem::path& root, const SessionOptions& options)
   const RunConfig config = read_run_config(folder.effective_config());
   const std::string hash = config_hash(config);
   if (hash != old.config_hash) {
-    throw Error(ErrorKind::output, {{folder.effective_config().string(), "is not the configuration this run was started with", hash,
-                                     old.config_hash, "start a new run with `asperity run`"}});
+    throw Error(ErrorKind::output,
+                {{folder.effective_config().string(), "is not the configuration this run was started with", hash,
+                  old.config_hash, "start a new run with `asperity run`"}});
   }
   std::optional<EarlierCost> earlier;
   if (std::filesystem::exists(folder.checkpoint() / "state.bin")) {

@@ -16,8 +16,8 @@ struct SessionOptions {
 
 /// Runs a checked configuration from its start, in the folder it is given, and returns the exit code. `original` is the
 /// configuration file's text.
-int run_from_start(const RunConfig& config, const std::string& original, const std::filesystem::path& root, ExistingRun existing,
-                   const SessionOptions& options);
+int run_from_start(const RunConfig& config, const std::string& original, const std::filesystem::path& root,
+                   ExistingRun existing, const SessionOptions& options);
 
 /// Goes on with the run that lies in the folder; from its start where it left no checkpoint.
 int resume_run(const std::filesystem::path& root, const SessionOptions& options);

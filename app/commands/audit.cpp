@@ -1,13 +1,12 @@
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <cmath>
 #include <fstream>
 #include <iostream>
 #include <mutex>
 #include <thread>
-
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include "app/commands/commands.hpp"
 #include "app/interruption.hpp"
@@ -24,19 +23,29 @@ namespace {
 struct Row {
   std::string name;
   std::vector<std::string> overrides;
-  double strain_limit;                ///< Compression: the peak is looked for up to this strain, before friction hardens.
+  double strain_limit;  ///< Compression: the peak is looked for up to this strain, before friction hardens.
   std::array<std::string, 6> before;  ///< In the order of kQuantities.
 };
 
-constexpr std::array<const char*, 6> kQuantities{"sigma_t [MPa]", "sigma_c [MPa]", "C [MPa]", "phi [deg]", "E [GPa]", "nu [-]"};
+constexpr std::array<const char*, 6> kQuantities{"sigma_t [MPa]", "sigma_c [MPa]", "C [MPa]",
+                                                 "phi [deg]",     "E [GPa]",       "nu [-]"};
 
 std::vector<Row> rows() {
   const std::string literal = "/contacts/law/reading=literal", coulomb = "/contacts/law/shear_peak=coulomb";
   const std::string k_s = "/contacts/law/opening_shear_stiffness=k_s", weak = "/contacts/cohesion_mpa=1.65";
   return {{"literal", {literal}, 0.02, {"2.25 +- 0.16", "10.6 +- 0.1", "4.93 +- 0.11", "4.2 +- 0.9", "0.79", "0.23"}},
-          {"literal, Coulomb peak", {literal, coulomb}, 0.045, {"2.95 +- 0.02", "20.5", "5.49", "33.7 +- 2.5", "0.79", "0.23"}},
-          {"literal, Coulomb peak, c_c = 1.65", {literal, coulomb, weak}, 0.02, {"1.38 +- 0.04", "6.98 +- 0.17", "1.76 +- 0.04", "36.7 +- 1.1", "0.79", "0.23"}},
-          {"literal, Coulomb peak, k_s on both sides, c_c = 1.65", {literal, coulomb, k_s, weak}, 0.02, {"0.96 +- 0.01", "6.84 +- 0.24", "1.71 +- 0.07", "36.6 +- 0.2", "0.73", "0.24"}},
+          {"literal, Coulomb peak",
+           {literal, coulomb},
+           0.045,
+           {"2.95 +- 0.02", "20.5", "5.49", "33.7 +- 2.5", "0.79", "0.23"}},
+          {"literal, Coulomb peak, c_c = 1.65",
+           {literal, coulomb, weak},
+           0.02,
+           {"1.38 +- 0.04", "6.98 +- 0.17", "1.76 +- 0.04", "36.7 +- 1.1", "0.79", "0.23"}},
+          {"literal, Coulomb peak, k_s on both sides, c_c = 1.65",
+           {literal, coulomb, k_s, weak},
+           0.02,
+           {"0.96 +- 0.01", "6.84 +- 0.24", "1.71 +- 0.07", "36.6 +- 0.2", "0.73", "0.24"}},
           {"default law", {}, 0.045, {"-", "-", "-", "-", "-", "-"}},
           {"default law, c_c = 1.65", {weak}, 0.02, {"-", "-", "-", "-", "-", "-"}}};
 }
@@ -96,7 +105,8 @@ std::array<std::string, 6> evaluate(const std::vector<std::array<Outcome, 4>>& r
   for (const auto& run : runs) {
     const std::array<double, 3> peaks{run[1].peak, run[2].peak, run[3].peak};
     const MohrCoulomb line = fit_mohr_coulomb(kConfining, peaks);
-    const std::array<double, 6> found{run[0].peak, run[1].peak, line.cohesion_mpa, line.friction_angle_deg, run[1].modulus, run[1].ratio};
+    const std::array<double, 6> found{run[0].peak,    run[1].peak, line.cohesion_mpa, line.friction_angle_deg,
+                                      run[1].modulus, run[1].ratio};
     for (std::size_t q = 0; q < 6; ++q) values[q].push_back(found[q]);
   }
   std::array<std::string, 6> text;
@@ -127,7 +137,8 @@ Outcomes run_all(const std::vector<Row>& table, const AuditOptions& options) {
   const std::vector<Job> jobs = list_jobs(table.size(), options.seeds);
   std::mutex mutex;
   std::size_t done = 0;
-  const int workers = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int workers =
+      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   oneapi::tbb::task_arena arena(workers);
   arena.execute([&] {
     oneapi::tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
@@ -135,13 +146,15 @@ Outcomes run_all(const std::vector<Row>& table, const AuditOptions& options) {
       const Job& job = jobs[i];
       std::vector<std::string> overrides = table[job.row].overrides;
       overrides.push_back(fmt::format("/particles/seed={}", job.seed + 1));
-      if (job.test > 0) overrides.push_back(fmt::format("/measurement/peak_strain_limit={}", table[job.row].strain_limit));
-      if (job.test > 0) overrides.push_back(fmt::format("/experiment/stop/axial_strain={}", 1.05 * table[job.row].strain_limit));
+      if (job.test > 0)
+        overrides.push_back(fmt::format("/measurement/peak_strain_limit={}", table[job.row].strain_limit));
+      if (job.test > 0)
+        overrides.push_back(fmt::format("/experiment/stop/axial_strain={}", 1.05 * table[job.row].strain_limit));
       Outcome outcome = run_test(options.configs / (std::string(kTests[job.test]) + ".json"), overrides);
       const std::lock_guard lock(mutex);
       outcomes[job.row][job.seed][job.test] = outcome;
-      std::cerr << fmt::format("{:3d} of {}: {}, {}, seed {}: {:.4g} MPa {}\n", ++done, jobs.size(), table[job.row].name,
-                               kTests[job.test], job.seed + 1, outcome.peak, outcome.failure);
+      std::cerr << fmt::format("{:3d} of {}: {}, {}, seed {}: {:.4g} MPa {}\n", ++done, jobs.size(),
+                               table[job.row].name, kTests[job.test], job.seed + 1, outcome.peak, outcome.failure);
     });
   });
   return outcomes;
@@ -170,7 +183,8 @@ std::string csv(const std::vector<Row>& table, const Outcomes& outcomes) {
     for (std::size_t seed = 0; seed < outcomes[r].size(); ++seed) {
       for (std::size_t t = 0; t < kTests.size(); ++t) {
         const Outcome& o = outcomes[r][seed][t];
-        text += fmt::format("\"{}\",{},{},{},{},{},\"{}\"\n", table[r].name, seed + 1, kTests[t], o.peak, o.modulus, o.ratio, o.failure);
+        text += fmt::format("\"{}\",{},{},{},{},{},\"{}\"\n", table[r].name, seed + 1, kTests[t], o.peak, o.modulus,
+                            o.ratio, o.failure);
       }
     }
   }

@@ -50,8 +50,8 @@ int render_command(const RenderOptions& options);
 
 struct AuditOptions {
   int seeds = 3;
-  int jobs = 0;           ///< 0: one a core.
-  std::vector<int> rows;  ///< Rows of the table, from 1; empty: all.
+  int jobs = 0;                                     ///< 0: one a core.
+  std::vector<int> rows;                            ///< Rows of the table, from 1; empty: all.
   std::filesystem::path configs = "configs/paper";  ///< Folder of the four tests' configurations.
   std::filesystem::path out = "outputs/audit";
 };

@@ -50,11 +50,12 @@ void print_parameters(const DerivedParameters& a, const DerivedParameters& b) {
 
 void print_elastic(const RunConfig& config) {
   const MaterialConfig& m = config.material;
-  std::cout << fmt::format("\nE_p = E = {:g} GPa, nu_p = nu = {:g} (15); this config uses E_p = {:g} GPa, nu_p = {:g}\n",
-                           m.youngs_modulus_gpa, m.poissons_ratio, config.particles.youngs_modulus_gpa,
-                           config.particles.poissons_ratio);
-  std::cout << fmt::format("k_s / k_t from Eqs 12, 13: {:.4f}; Eq 14 as printed gives {:.4f}: its toughness ratio is inverted\n",
-                           closed_forms::stiffness_ratio(m), closed_forms::stiffness_ratio_as_printed(m));
+  std::cout << fmt::format(
+      "\nE_p = E = {:g} GPa, nu_p = nu = {:g} (15); this config uses E_p = {:g} GPa, nu_p = {:g}\n",
+      m.youngs_modulus_gpa, m.poissons_ratio, config.particles.youngs_modulus_gpa, config.particles.poissons_ratio);
+  std::cout << fmt::format(
+      "k_s / k_t from Eqs 12, 13: {:.4f}; Eq 14 as printed gives {:.4f}: its toughness ratio is inverted\n",
+      closed_forms::stiffness_ratio(m), closed_forms::stiffness_ratio_as_printed(m));
 }
 
 void print_beta_table() {
@@ -76,9 +77,9 @@ void print_lennard_jones() {
   std::cout << "\nLennard-Jones forms behind beta, in units of zeta and epsilon (20-25)\n"
                "   m   n     alpha (21)  x_m (23)  P_c (24)  x_0 (25)\n";
   for (const auto& [m, n] : {std::pair{6, 12}, {8, 13}, {10, 15}, {12, 18}}) {
-    std::cout << fmt::format("{:4d}{:4d}{:15.4f}{:10.4f}{:10.4f}{:10.4f}\n", m, n, closed_forms::lennard_jones_alpha(m, n),
-                             closed_forms::peak_force_separation(m, n), closed_forms::cohesive_force(m, n),
-                             closed_forms::equilibrium_separation(m, n));
+    std::cout << fmt::format("{:4d}{:4d}{:15.4f}{:10.4f}{:10.4f}{:10.4f}\n", m, n,
+                             closed_forms::lennard_jones_alpha(m, n), closed_forms::peak_force_separation(m, n),
+                             closed_forms::cohesive_force(m, n), closed_forms::equilibrium_separation(m, n));
   }
 }
 

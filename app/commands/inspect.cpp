@@ -45,8 +45,8 @@ int render_command(const RenderOptions& options) {
 
 int info_command() {
   const BuildInfo& build = build_info();
-  std::cout << "asperity " << build.version << "\nrevision " << build.revision << (build.dirty ? " (changed)" : "") << "\ncompiler "
-            << build.compiler << "\nflags " << build.flags << "\nbuild " << build.build_type << "\n";
+  std::cout << "asperity " << build.version << "\nrevision " << build.revision << (build.dirty ? " (changed)" : "")
+            << "\ncompiler " << build.compiler << "\nflags " << build.flags << "\nbuild " << build.build_type << "\n";
   for (const auto& [name, version] : library_versions()) std::cout << name << " " << version << "\n";
   const Manifest here = started_manifest();
   std::cout << "processor " << here.host.cpu_model << ", " << here.host.cores << " cores\n";

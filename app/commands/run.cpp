@@ -12,7 +12,8 @@ int run_command(const RunOptions& options) {
   if (options.quiet) set_log_echo(LogEcho::errors);
   const RunConfig config = read_run_config(options.config, options.overrides);
   const std::filesystem::path root = options.out.value_or(default_run_folder(config.name));
-  return run_from_start(config, read_file(options.config), root, options.force ? ExistingRun::replace : ExistingRun::keep,
+  return run_from_start(config, read_file(options.config), root,
+                        options.force ? ExistingRun::replace : ExistingRun::keep,
                         {options.threads, options.render, options.quiet});
 }
 

@@ -1,11 +1,11 @@
 #pragma once
-#include <cstddef>
-#include <memory>
-#include <vector>
-
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
 
 namespace asperity {
 
@@ -18,7 +18,8 @@ class ParallelLoops {
   explicit ParallelLoops(int threads = 1) : threads_(threads) {
     if (threads < 2) return;
     // Without it TBB grants no more threads than there are cores.
-    allowance_ = std::make_unique<oneapi::tbb::global_control>(oneapi::tbb::global_control::max_allowed_parallelism, threads);
+    allowance_ =
+        std::make_unique<oneapi::tbb::global_control>(oneapi::tbb::global_control::max_allowed_parallelism, threads);
     arena_ = std::make_unique<oneapi::tbb::task_arena>(threads);
   }
 

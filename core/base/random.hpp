@@ -11,10 +11,10 @@ class RandomStream {
  public:
   RandomStream(std::uint64_t master_seed, std::string_view name);
   std::uint64_t next();
-  double uniform();                       ///< In [0, 1), 53 bits.
+  double uniform();                         ///< In [0, 1), 53 bits.
   double uniform(double low, double high);  ///< In [low, high).
-  double normal();                        ///< Mean 0, standard deviation 1 (Marsaglia's polar method).
-  std::uint64_t below(std::uint64_t n);   ///< In [0, n), unbiased; n > 0.
+  double normal();                          ///< Mean 0, standard deviation 1 (Marsaglia's polar method).
+  std::uint64_t below(std::uint64_t n);     ///< In [0, n), unbiased; n > 0.
 
  private:
   std::uint64_t state_[4];

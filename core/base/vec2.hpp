@@ -7,8 +7,16 @@ namespace asperity {
 struct Vec2 {
   double x = 0.0;
   double y = 0.0;
-  Vec2& operator+=(Vec2 b) { x += b.x; y += b.y; return *this; }
-  Vec2& operator-=(Vec2 b) { x -= b.x; y -= b.y; return *this; }
+  Vec2& operator+=(Vec2 b) {
+    x += b.x;
+    y += b.y;
+    return *this;
+  }
+  Vec2& operator-=(Vec2 b) {
+    x -= b.x;
+    y -= b.y;
+    return *this;
+  }
   friend bool operator==(const Vec2&, const Vec2&) = default;
 };
 

@@ -70,7 +70,7 @@ struct ParticleConfig {
   ParticleKind kind = ParticleKind::triangle;
   double edge_mm = 2.0;
   std::optional<double> edge_deviation_mm;  ///< Unset: a tenth of edge_mm, as in the paper.
-  double grain_size_mm = 4.0;  ///< Voronoi: mean grain diameter.
+  double grain_size_mm = 4.0;               ///< Voronoi: mean grain diameter.
   std::uint64_t seed = 1;
   double youngs_modulus_gpa = 1.3;
   double poissons_ratio = 0.2;

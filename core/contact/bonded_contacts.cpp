@@ -62,7 +62,8 @@ void update_edges(BondedContacts& contacts, const std::vector<Vec2>& position, d
 
 }  // namespace
 
-BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law, LawReading reading) {
+BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law,
+                             LawReading reading) {
   BondedContacts contacts;
   contacts.law = law;
   contacts.reading = reading;
@@ -77,8 +78,8 @@ BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const
   return contacts;
 }
 
-void update_contacts(BondedContacts& contacts, const std::vector<Vec2>& position, double time, const ParallelLoops& loops,
-                     std::span<Vec2> forces) {
+void update_contacts(BondedContacts& contacts, const std::vector<Vec2>& position, double time,
+                     const ParallelLoops& loops, std::span<Vec2> forces) {
   const LawParameters& law = contacts.law;
   if (contacts.reading == LawReading::literal) {
     update_edges(contacts, position, time, loops, forces,

@@ -32,7 +32,8 @@ struct BondedContacts {
 };
 
 /// Contacts on all edges between triangles of different grains.
-BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law, LawReading reading);
+BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law,
+                             LawReading reading);
 
 /// Midline frame of a contact edge and its separations; Eqs. (C15), (C16).
 struct ContactFrame {
@@ -53,10 +54,10 @@ inline ContactFrame contact_frame(const ContactEdge& edge, const std::vector<Vec
 inline constexpr double kNearGauss = 0.78867513459481287;
 inline constexpr double kFarGauss = 0.21132486540518713;
 
-/// Brings every contact to the present positions at `time` (s) and writes its forces on left1, left2, right1, right2 (N per mm of
-/// thickness), Eqs. (C17), (C18), to forces[4 edge] ... forces[4 edge + 3].
-void update_contacts(BondedContacts& contacts, const std::vector<Vec2>& position, double time, const ParallelLoops& loops,
-                     std::span<Vec2> forces);
+/// Brings every contact to the present positions at `time` (s) and writes its forces on left1, left2, right1, right2 (N
+/// per mm of thickness), Eqs. (C17), (C18), to forces[4 edge] ... forces[4 edge + 3].
+void update_contacts(BondedContacts& contacts, const std::vector<Vec2>& position, double time,
+                     const ParallelLoops& loops, std::span<Vec2> forces);
 
 /// Energies of all contacts, N mm per mm of thickness.
 struct ContactEnergies {

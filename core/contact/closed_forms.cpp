@@ -62,9 +62,7 @@ double beta(int m, int n) {
   return (1.0 / m - 1.0 / n) / (std::pow(ratio, (m + 1.0) / span) - std::pow(ratio, (n + 1.0) / span));
 }
 
-double lennard_jones_alpha(int m, int n) {
-  return std::pow(std::pow(n, n) / std::pow(m, m), 1.0 / (n - m)) / (n - m);
-}
+double lennard_jones_alpha(int m, int n) { return std::pow(std::pow(n, n) / std::pow(m, m), 1.0 / (n - m)) / (n - m); }
 
 double lennard_jones_potential(double x, double epsilon, double zeta, int m, int n) {
   return lennard_jones_alpha(m, n) * epsilon * (std::pow(zeta / x, n) - std::pow(zeta / x, m));
@@ -74,9 +72,7 @@ double lennard_jones_force(double x, double epsilon, double zeta, int m, int n) 
   return lennard_jones_alpha(m, n) * epsilon / x * (-n * std::pow(zeta / x, n) + m * std::pow(zeta / x, m));
 }
 
-double peak_force_separation(int m, int n) {
-  return std::pow(n * (n + 1.0) / (m * (m + 1.0)), 1.0 / (n - m));
-}
+double peak_force_separation(int m, int n) { return std::pow(n * (n + 1.0) / (m * (m + 1.0)), 1.0 / (n - m)); }
 
 double cohesive_force(int m, int n) { return lennard_jones_force(peak_force_separation(m, n), 1.0, 1.0, m, n); }
 
@@ -108,10 +104,11 @@ LawParameters law_parameters(const RunConfig& config) {
   const ContactConfig& c = config.contacts;
   if (d.delta_ut <= d.delta_ct) {
     const double least = c.tensile_strength_mpa * d.delta_ct * (std::numbers::e - 2.0);
-    throw Error(ErrorKind::config,
-                {{"/contacts/fracture_energy_n_per_mm", "leaves no softening: delta_ut would not exceed delta_ct (Eq 10)",
-                  std::to_string(d.g_f), "above t_c delta_ct (e - 2) = " + std::to_string(least) + " N/mm",
-                  "raise the fracture energy, lower tensile_strength_mpa, or raise tensile_stiffness_mpa_per_mm"}});
+    throw Error(
+        ErrorKind::config,
+        {{"/contacts/fracture_energy_n_per_mm", "leaves no softening: delta_ut would not exceed delta_ct (Eq 10)",
+          std::to_string(d.g_f), "above t_c delta_ct (e - 2) = " + std::to_string(least) + " N/mm",
+          "raise the fracture energy, lower tensile_strength_mpa, or raise tensile_stiffness_mpa_per_mm"}});
   }
   LawParameters p;
   p.k_t = d.k_t;

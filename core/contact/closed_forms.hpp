@@ -63,9 +63,9 @@ namespace asperity {
 
 /// Everything `asperity derive` prints for one plane condition.
 struct DerivedParameters {
-  double k_t = 0, k_s = 0;  ///< MPa/mm, Eqs. (C12), (C13)
-  double g_f = 0;           ///< N/mm, Eq. (C34), mode I
-  double w = 0;             ///< mm, Eq. (C35)
+  double k_t = 0, k_s = 0;                          ///< MPa/mm, Eqs. (C12), (C13)
+  double g_f = 0;                                   ///< N/mm, Eq. (C34), mode I
+  double w = 0;                                     ///< mm, Eq. (C35)
   double delta_ct = 0, delta_cs = 0, delta_ut = 0;  ///< mm
 };
 

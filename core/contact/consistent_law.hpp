@@ -58,8 +58,8 @@ inline void slide_broken_share(PointState& s, double shear, double pressure, con
 }
 
 /// A newly broken part of the intact share joins the broken one: it keeps no more than friction can hold, Eq. (D8).
-inline void hand_over(PointState& s, double integrity_s, double stress_before, double stress, double limit, double moved,
-                      const LawParameters& p) {
+inline void hand_over(PointState& s, double integrity_s, double stress_before, double stress, double limit,
+                      double moved, const LawParameters& p) {
   const double part = s.integrity_s - integrity_s;
   const double share = 1.0 - s.integrity_s;
   const double kept = std::clamp(stress, -limit, limit);

@@ -6,8 +6,8 @@
 #include "core/contact/law.hpp"
 
 /// The paper's law as printed, Eqs. (C1)-(C9), kept as the reference that the audit reports. It creates energy where a
-/// contact passes between closed and open with sliding present; `created_energy` measures it. Departures by name: a Coulomb
-/// peak (LawParameters::coulomb) and k_s for the shear component in opening (LawParameters::opening_shear).
+/// contact passes between closed and open with sliding present; `created_energy` measures it. Departures by name: a
+/// Coulomb peak (LawParameters::coulomb) and k_s for the shear component in opening (LawParameters::opening_shear).
 namespace asperity::literal_law {
 
 inline constexpr double kE = std::numbers::e;
@@ -75,8 +75,8 @@ inline void close_contact(PointState& s, double shear, double pressure, const La
   s.fracture_energy += std::max(0.0, hardening_energy(p.k_s, critical, critical) - kept);
 }
 
-/// Energy the contact could give back (N/mm). In opening with `opening_shear` other than 1 the traction has no potential;
-/// the value is then the one of its normal part and of the reduced shear part.
+/// Energy the contact could give back (N/mm). In opening with `opening_shear` other than 1 the traction has no
+/// potential; the value is then the one of its normal part and of the reduced shear part.
 inline double recoverable_energy(const PointState& s, const LawParameters& p) {
   const double pressure = s.normal < 0.0 ? -p.k_t * s.normal : 0.0;
   const double compression = 0.5 * pressure * pressure / p.k_t;
@@ -108,7 +108,8 @@ inline void update(PointState& s, double normal, double shear, const LawParamete
   } else {
     close_contact(s, shear, pressure, p);
   }
-  const double work = 0.5 * (before_n + s.traction_n) * (normal - s.normal) + 0.5 * (before_s + s.traction_s) * (shear - s.shear);
+  const double work =
+      0.5 * (before_n + s.traction_n) * (normal - s.normal) + 0.5 * (before_s + s.traction_s) * (shear - s.shear);
   s.normal = normal;
   s.shear = shear;
   s.created_energy += recoverable_energy(s, p) - stored + s.fracture_energy + s.friction_energy - spent - work;

@@ -104,7 +104,8 @@ void write_checkpoint(const std::filesystem::path& file, const Model& model, con
 void read_checkpoint(const std::filesystem::path& file, Model& model, RunState& state, const std::string& config_hash) {
   const std::string text = read_file(file);
   const std::size_t head = std::strlen(kMagic);
-  if (text.size() < head + kDigest + config_hash.size() || !text.starts_with(kMagic)) refuse(file, "is no checkpoint of this version");
+  if (text.size() < head + kDigest + config_hash.size() || !text.starts_with(kMagic))
+    refuse(file, "is no checkpoint of this version");
   const std::string_view body = std::string_view(text).substr(head + kDigest);
   if (fnv1a_128(body) != text.substr(head, kDigest)) refuse(file, "is damaged: its checksum does not hold");
   if (!body.starts_with(config_hash)) refuse(file, "belongs to another configuration");

@@ -100,9 +100,12 @@ LoadingState start_loading(Model& model) {
 
 void drive(Model& model, LoadingState& state, double kinetic_ratio) {
   switch (state.phase) {
-    case LoadingPhase::confining: return confine(model, state, kinetic_ratio);
-    case LoadingPhase::moving: return move(model, state);
-    case LoadingPhase::holding: return hold(model, state, kinetic_ratio);
+    case LoadingPhase::confining:
+      return confine(model, state, kinetic_ratio);
+    case LoadingPhase::moving:
+      return move(model, state);
+    case LoadingPhase::holding:
+      return hold(model, state, kinetic_ratio);
   }
 }
 

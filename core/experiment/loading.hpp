@@ -11,16 +11,16 @@ struct LoadingState {
   LoadingPhase phase = LoadingPhase::moving;
   double phase_start_s = 0;
   double phase_start_closure_mm = 0;
-  double zero_distance_mm = 0;     ///< Platen distance at zero closure (start, or after the hydrostatic stage).
+  double zero_distance_mm = 0;  ///< Platen distance at zero closure (start, or after the hydrostatic stage).
   GaugeReading zero_gauges;
-  int stages = 0;                  ///< Staged: stages finished.
+  int stages = 0;  ///< Staged: stages finished.
 };
 
 /// The state at the start of a test. A uniaxial test starts from a linear velocity field, booked as work.
 LoadingState start_loading(Model& model);
 
-/// Sets the platens' velocities and the flank pressure for the coming step; Eqs. (E1)-(E3). Call after compute_forces and
-/// update_velocities of the present step; `kinetic_ratio` is the last known kinetic over elastic energy.
+/// Sets the platens' velocities and the flank pressure for the coming step; Eqs. (E1)-(E3). Call after compute_forces
+/// and update_velocities of the present step; `kinetic_ratio` is the last known kinetic over elastic energy.
 void drive(Model& model, LoadingState& state, double kinetic_ratio);
 
 /// Approach of the platens since the zero, mm.

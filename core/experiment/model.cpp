@@ -43,7 +43,8 @@ Platens make_platens(const RunConfig& config) {
 constexpr double kSkin = 0.02;
 
 /// Springs that spread the penalty over the loaded edges (ends or rim), half an edge on each of its nodes.
-std::vector<PlatenSpring> make_platen_springs(const RunConfig& config, const Mesh& mesh, const Particles& p, double k_t) {
+std::vector<PlatenSpring> make_platen_springs(const RunConfig& config, const Mesh& mesh, const Particles& p,
+                                              double k_t) {
   const double penalty = config.experiment.platens.stiffness_mpa_per_mm.value_or(k_t);
   std::vector<PlatenSpring> springs(p.node_count());
   for (const MeshEdge& e : mesh_edges(mesh)) {

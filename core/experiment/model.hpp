@@ -17,8 +17,8 @@ struct Model {
   double added_mass_fraction = 0;
 };
 
-/// Builds mesh, particles, contacts and platens and chooses the time step. Throws a config error where the given time step
-/// exceeds the stable one, with both figures.
+/// Builds mesh, particles, contacts and platens and chooses the time step. Throws a config error where the given time
+/// step exceeds the stable one, with both figures.
 Model build_model(const RunConfig& config, const ParallelLoops& loops);
 
 /// Height of a compression specimen or diameter of a disc, mm.

@@ -122,7 +122,8 @@ void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, c
     if (staged(model) || state.loading.phase == LoadingPhase::confining) {
       if (system.step % kEnergyInterval == 0) state.kinetic_ratio = kinetic_ratio(energy_balance(system, loops));
     }
-    if (sample_due(model, state, interval) || (state.samples.empty() && state.loading.phase != LoadingPhase::confining)) {
+    if (sample_due(model, state, interval) ||
+        (state.samples.empty() && state.loading.phase != LoadingPhase::confining)) {
       take_sample(model, state, loops, observer);
       if (state.samples.back().axial_strain >= state.next_frame_strain || state.stop != StopReason::running) {
         take_frame(model, state, observer);
@@ -130,7 +131,8 @@ void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, c
     }
     update_positions(system, loops);
     if (state.steps_in_sample == 0 && observer.between_steps) observer.between_steps();
-    if (state.stop == StopReason::running && observer.interrupted && observer.interrupted()) state.stop = StopReason::interrupted;
+    if (state.stop == StopReason::running && observer.interrupted && observer.interrupted())
+      state.stop = StopReason::interrupted;
   }
 }
 

@@ -33,13 +33,13 @@ enum class StopReason : int { running, strain, fraction_of_peak, time, interrupt
 struct RunState {
   LoadingState loading;
   std::vector<Sample> samples;
-  NodeSums reaction_sum;           ///< Only `reaction`, summed since the last sample.
+  NodeSums reaction_sum;  ///< Only `reaction`, summed since the last sample.
   std::int64_t steps_in_sample = 0;
   int stages_sampled = 0;
   int frames = 0;
   double next_frame_strain = 0;
   double kinetic_ratio = 1;
-  int samples_below = 0;           ///< Consecutive samples below the stop fraction of the peak.
+  int samples_below = 0;  ///< Consecutive samples below the stop fraction of the peak.
   StopReason stop = StopReason::running;
 };
 

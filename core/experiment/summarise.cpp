@@ -1,9 +1,9 @@
 #include "core/experiment/summarise.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 #include "core/measurement/capture.hpp"
 #include "core/measurement/crack_network.hpp"
@@ -53,14 +53,20 @@ Json compression_results(const Model& model, const RunState& state, const Peak& 
 
 Json brazilian_results(const RunState& state, const Peak& peak) {
   const Sample& s = state.samples[peak.index];
-  return {{"tensile_strength_mpa", peak.stress_mpa}, {"peak_load_n_per_mm", s.load_n_per_mm}, {"peak_closure_mm", s.closure_mm}};
+  return {{"tensile_strength_mpa", peak.stress_mpa},
+          {"peak_load_n_per_mm", s.load_n_per_mm},
+          {"peak_closure_mm", s.closure_mm}};
 }
 
 Json energy_entries(const EnergyBalance& e) {
-  return {{"external_work_n_mm", e.external_work}, {"elastic_n_mm", e.elastic},
-          {"recoverable_contacts_n_mm", e.recoverable}, {"fracture_n_mm", e.fracture},
-          {"friction_n_mm", e.friction}, {"damping_n_mm", e.damping},
-          {"kinetic_n_mm", e.kinetic}, {"created_by_law_n_mm", e.created_by_law},
+  return {{"external_work_n_mm", e.external_work},
+          {"elastic_n_mm", e.elastic},
+          {"recoverable_contacts_n_mm", e.recoverable},
+          {"fracture_n_mm", e.fracture},
+          {"friction_n_mm", e.friction},
+          {"damping_n_mm", e.damping},
+          {"kinetic_n_mm", e.kinetic},
+          {"created_by_law_n_mm", e.created_by_law},
           {"relative_closure_error", relative_closure_error(e)}};
 }
 
@@ -68,11 +74,15 @@ Json crack_entries(const Model& model, const Sample& last) {
   const Fragments fragments = find_fragments(model.system.contacts, model.system.particles);
   double area = 0.0;
   for (double a : fragments.area_mm2) area += a;
-  return {{"tension", last.cracks_tension}, {"shear", last.cracks_shear}, {"softening", last.contacts_softening},
-          {"fragments", fragments.area_mm2.size()}, {"largest_fragment_share", fragments.area_mm2.front() / area}};
+  return {{"tension", last.cracks_tension},
+          {"shear", last.cracks_shear},
+          {"softening", last.contacts_softening},
+          {"fragments", fragments.area_mm2.size()},
+          {"largest_fragment_share", fragments.area_mm2.front() / area}};
 }
 
-/// Largest kinetic over stored energy between a tenth of the peak and the peak itself: how quasi-static the loading was.
+/// Largest kinetic over stored energy between a tenth of the peak and the peak itself: how quasi-static the loading
+/// was.
 double loading_kinetic_ratio(const RunState& state, const Peak& peak) {
   double largest = 0.0;
   for (std::size_t i = 0; i <= peak.index; ++i) {
@@ -88,25 +98,29 @@ std::vector<std::string> find_warnings(const Model& model, const RunState& state
   const EnergyBalance& e = state.samples.back().energy;
   const bool literal = model.config.contacts.law.reading == LawReading::literal;
   if (literal) {
-    warnings.push_back(fmt::format("the literal contact law itself added {:.4g} N mm to the model, {:.3g} % of the external work; it has "
-                            "no energy potential (the default law has)",
-                            e.created_by_law, 100.0 * e.created_by_law / e.external_work));
+    warnings.push_back(fmt::format(
+        "the literal contact law itself added {:.4g} N mm to the model, {:.3g} % of the external work; it has "
+        "no energy potential (the default law has)",
+        e.created_by_law, 100.0 * e.created_by_law / e.external_work));
   } else if (relative_closure_error(e) > kClosureLimit) {
     warnings.push_back(fmt::format("the energy account is open by {:.3g} % of the external work (limit {:.3g} %)",
-                            100.0 * relative_closure_error(e), 100.0 * kClosureLimit));
+                                   100.0 * relative_closure_error(e), 100.0 * kClosureLimit));
   }
   if (peak.at_end) {
-    warnings.push_back(fmt::format("no peak was passed: the largest stress stands at the end of the range searched (axial strain {:.4g}); "
-                            "the strength is a lower bound",
-                            peak.axial_strain));
+    warnings.push_back(fmt::format(
+        "no peak was passed: the largest stress stands at the end of the range searched (axial strain {:.4g}); "
+        "the strength is a lower bound",
+        peak.axial_strain));
   }
   const double ratio = loading_kinetic_ratio(state, peak);
   if (ratio > kKineticLimit) {
-    warnings.push_back(fmt::format("kinetic energy reached {:.3g} of the stored energy before the peak (limit {:.3g}): load more slowly",
-                            ratio, kKineticLimit));
+    warnings.push_back(fmt::format(
+        "kinetic energy reached {:.3g} of the stored energy before the peak (limit {:.3g}): load more slowly", ratio,
+        kKineticLimit));
   }
   if (model.added_mass_fraction > 0.0) {
-    warnings.push_back(fmt::format("mass scaling added {:.3g} % to the specimen's mass", 100.0 * model.added_mass_fraction));
+    warnings.push_back(
+        fmt::format("mass scaling added {:.3g} % to the specimen's mass", 100.0 * model.added_mass_fraction));
   }
   return warnings;
 }
@@ -119,11 +133,16 @@ double relative_closure_error(const EnergyBalance& energy) {
 
 std::string describe(StopReason reason) {
   switch (reason) {
-    case StopReason::running: return "running";
-    case StopReason::strain: return "reached the stop strain";
-    case StopReason::fraction_of_peak: return "fell below the stop fraction of the peak";
-    case StopReason::time: return "reached the stop time";
-    case StopReason::interrupted: return "interrupted";
+    case StopReason::running:
+      return "running";
+    case StopReason::strain:
+      return "reached the stop strain";
+    case StopReason::fraction_of_peak:
+      return "fell below the stop fraction of the peak";
+    case StopReason::time:
+      return "reached the stop time";
+    case StopReason::interrupted:
+      return "interrupted";
   }
   return "";
 }

@@ -7,8 +7,8 @@
 
 namespace asperity {
 
-/// What a test found, for summary.json: results with their units, energies, cracks, and everything a careful reader should
-/// be warned of. Costs are filled by the caller.
+/// What a test found, for summary.json: results with their units, energies, cracks, and everything a careful reader
+/// should be warned of. Costs are filled by the caller.
 Summary summarise(const Model& model, const RunState& state);
 
 /// "reached the stop strain", "fell below the stop fraction of the peak", ...

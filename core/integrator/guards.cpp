@@ -16,7 +16,8 @@ namespace {
 }
 
 constexpr const char* kStepHint =
-    "a time step above the stable one, or a loading rate the specimen cannot follow; lower integration.safety_factor or "
+    "a time step above the stable one, or a loading rate the specimen cannot follow; lower integration.safety_factor "
+    "or "
     "experiment.loading.closing_rate_mm_per_s";
 
 }  // namespace

@@ -7,7 +7,8 @@
 namespace asperity {
 namespace {
 
-/// Calls visit(node, slot) for every force contribution: triangle corners first, then the four nodes of each contact edge.
+/// Calls visit(node, slot) for every force contribution: triangle corners first, then the four nodes of each contact
+/// edge.
 template <class Visit>
 void for_each_slot(const System& system, const Visit& visit) {
   int slot = 0;
@@ -67,8 +68,8 @@ Vec2 platen_force(System& system, std::size_t node, NodeSums& sums) {
   return {shear, side == 0 ? normal : -normal};
 }
 
-/// Cundall's local damping, limited so that it never turns the motion round: Eq. (I4). `impulse` is 2 m / dt. Returns the
-/// damping force.
+/// Cundall's local damping, limited so that it never turns the motion round: Eq. (I4). `impulse` is 2 m / dt. Returns
+/// the damping force.
 double damping_force(double force, double coefficient, double mean_velocity, double impulse) {
   const double limit = impulse * std::abs(mean_velocity);
   return -std::copysign(std::min(coefficient * std::abs(force), limit), mean_velocity);
@@ -150,7 +151,8 @@ void compute_forces(System& system, const ParallelLoops& loops) {
       for (std::size_t i = 0; i < 3; ++i) system.forces[3 * t + i] = force[i];
     }
   });
-  update_contacts(system.contacts, p.position, system.time, loops, std::span(system.forces).subspan(3 * p.triangle_count()));
+  update_contacts(system.contacts, p.position, system.time, loops,
+                  std::span(system.forces).subspan(3 * p.triangle_count()));
   apply_flank_pressure(system);
 }
 
@@ -161,12 +163,14 @@ Vec2 internal_force(const System& system, std::size_t node) {
 }
 
 void update_velocities(System& system, const ParallelLoops& loops) {
-  system.external_work += system.sums.work_after + platen_work(system.sums, system.platens.last_velocity, system.time_step);
+  system.external_work +=
+      system.sums.work_after + platen_work(system.sums, system.platens.last_velocity, system.time_step);
   system.damping_energy += 0.5 * system.sums.damping;
   system.sums = loops.sum_blocks<NodeSums>(system.particles.node_count(), [&](std::size_t begin, std::size_t end) {
     return update_node_range(system, begin, end);
   });
-  system.external_work += system.sums.work_before + platen_work(system.sums, system.platens.last_velocity, system.time_step);
+  system.external_work +=
+      system.sums.work_before + platen_work(system.sums, system.platens.last_velocity, system.time_step);
   system.damping_energy += 0.5 * system.sums.damping;
   system.platen_friction_energy += system.sums.platen_friction;
 }

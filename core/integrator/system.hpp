@@ -25,7 +25,8 @@ struct PlatenSpring {
   double skin = 0;
 };
 
-/// Uniform pressure (MPa) on boundary edges, following their present position. Edges run with the specimen on their left.
+/// Uniform pressure (MPa) on boundary edges, following their present position. Edges run with the specimen on their
+/// left.
 struct FlankPressure {
   std::vector<std::array<int, 2>> edges;
   double pressure = 0;
@@ -33,14 +34,14 @@ struct FlankPressure {
 
 /// The energy account, N mm per mm of thickness; Eqs. (I7)-(I12). Every term comes from its own formula.
 struct EnergyBalance {
-  double external_work = 0;     ///< By platens, pressure, body force and held nodes, and the initial kinetic energy.
-  double elastic = 0;           ///< In the particles.
-  double recoverable = 0;       ///< In contacts, platens' penalty springs included.
+  double external_work = 0;  ///< By platens, pressure, body force and held nodes, and the initial kinetic energy.
+  double elastic = 0;        ///< In the particles.
+  double recoverable = 0;    ///< In contacts, platens' penalty springs included.
   double fracture = 0;
   double friction = 0;
   double damping = 0;
   double kinetic = 0;
-  double created_by_law = 0;    ///< Literal law only: what the law itself adds; not part of the balance.
+  double created_by_law = 0;  ///< Literal law only: what the law itself adds; not part of the balance.
   double sum() const { return elastic + recoverable + fracture + friction + damping + kinetic; }
   double error() const { return external_work - sum(); }
   /// Of a specimen so many mm thick, in N mm.
@@ -52,7 +53,7 @@ struct EnergyBalance {
 
 /// Sums over nodes gathered in one velocity update.
 struct NodeSums {
-  std::array<double, 2> reaction{0, 0};  ///< Force on the bottom and top platen along y, N per mm of thickness, >= 0.
+  std::array<double, 2> reaction{0, 0};    ///< Force on the bottom and top platen along y, N per mm of thickness, >= 0.
   double work_before = 0, work_after = 0;  ///< External work of the half steps before and after this instant.
   double damping = 0, platen_friction = 0, platen_energy = 0, kinetic = 0;
   NodeSums& operator+=(const NodeSums& other);
@@ -64,22 +65,22 @@ struct System {
   BondedContacts contacts;
   Platens platens;
   FlankPressure flank;
-  Vec2 body_acceleration{0, 0};          ///< mm/s2, e.g. gravity.
-  std::vector<std::uint8_t> held;        ///< Nodes that keep their velocity; empty: none.
+  Vec2 body_acceleration{0, 0};    ///< mm/s2, e.g. gravity.
+  std::vector<std::uint8_t> held;  ///< Nodes that keep their velocity; empty: none.
   double local_damping = 0;
-  double time_step = 0;                  ///< s
-  double time = 0;                       ///< s
+  double time_step = 0;  ///< s
+  double time = 0;       ///< s
   std::int64_t step = 0;
   double initial_kinetic = 0;
 
   std::vector<PlatenSpring> platen_springs;  ///< Of each node; empty without platens.
-  std::vector<double> platen_shear;      ///< Tangential platen force on each node along x.
-  NodeSums sums;                         ///< Of the last velocity update.
+  std::vector<double> platen_shear;          ///< Tangential platen force on each node along x.
+  NodeSums sums;                             ///< Of the last velocity update.
   double external_work = 0, damping_energy = 0, platen_friction_energy = 0;  ///< Up to the present instant, see step().
 
-  std::vector<Vec2> forces;              ///< Three for each triangle, then four for each contact edge.
-  std::vector<Vec2> external_force;      ///< Flank pressure on each node.
-  std::vector<int> slot_begin, slots;    ///< Per node: which entries of forces act on it.
+  std::vector<Vec2> forces;            ///< Three for each triangle, then four for each contact edge.
+  std::vector<Vec2> external_force;    ///< Flank pressure on each node.
+  std::vector<int> slot_begin, slots;  ///< Per node: which entries of forces act on it.
 };
 
 /// Allocates the work arrays and the node's lists of force contributions (CSR). Call once particles and contacts stand.

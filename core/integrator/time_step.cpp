@@ -10,7 +10,8 @@ namespace asperity {
 namespace {
 
 /// Linear elastic forces of a triangle for small corner displacements u.
-std::array<Vec2, 3> linear_triangle(const TriangleShape& shape, const std::array<Vec2, 3>& u, const ElasticConstants& c) {
+std::array<Vec2, 3> linear_triangle(const TriangleShape& shape, const std::array<Vec2, 3>& u,
+                                    const ElasticConstants& c) {
   double exx = 0, eyy = 0, gxy = 0;
   for (int i = 0; i < 3; ++i) {
     exx += u[i].x * shape.gradient[i].x;
@@ -34,7 +35,8 @@ std::array<Vec2, 4> linear_contact(const ContactEdge& edge, const ContactFrame& 
   Vec2 end[2] = {};
   for (int q = 0; q < 2; ++q) {
     const Vec2 d = weight[q][0] * gap[0] + weight[q][1] * gap[1];
-    const Vec2 traction = (law.k_t * dot(d, frame.normal)) * frame.normal + (law.k_s * dot(d, frame.tangent)) * frame.tangent;
+    const Vec2 traction =
+        (law.k_t * dot(d, frame.normal)) * frame.normal + (law.k_s * dot(d, frame.tangent)) * frame.tangent;
     for (int i = 0; i < 2; ++i) end[i] += (0.5 * edge.length * weight[q][i]) * traction;
   }
   return {Vec2{} - end[0], Vec2{} - end[1], end[0], end[1]};
@@ -55,8 +57,8 @@ std::vector<Vec2> apply_stiffness(const System& system, const std::vector<Vec2>&
   loops.for_blocks(system.contacts.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       const ContactEdge& e = system.contacts.edges[c];
-      const auto f = linear_contact(e, contact_frame(e, p.reference), {u[e.left1], u[e.left2], u[e.right1], u[e.right2]},
-                                    system.contacts.law);
+      const auto f = linear_contact(e, contact_frame(e, p.reference),
+                                    {u[e.left1], u[e.left2], u[e.right1], u[e.right2]}, system.contacts.law);
       for (std::size_t i = 0; i < 4; ++i) forces[3 * triangles + 4 * c + i] = f[i];
     }
   });
@@ -97,12 +99,14 @@ std::vector<double> gershgorin_rows(const System& system) {
   std::vector<double> rows(p.node_count(), 0.0);
   for (std::size_t i = 0; i < system.platen_springs.size(); ++i) rows[i] = system.platen_springs[i].stiffness;
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
-    add_row_sums<3>(p.triangles[t], [&](const auto& u) { return linear_triangle(p.shapes[t], u, p.elastic); }, rows);
+    add_row_sums<3>(
+        p.triangles[t], [&](const auto& u) { return linear_triangle(p.shapes[t], u, p.elastic); }, rows);
   }
   for (const ContactEdge& e : system.contacts.edges) {
     const ContactFrame frame = contact_frame(e, p.reference);
-    add_row_sums<4>({e.left1, e.left2, e.right1, e.right2},
-                    [&](const auto& u) { return linear_contact(e, frame, u, system.contacts.law); }, rows);
+    add_row_sums<4>(
+        {e.left1, e.left2, e.right1, e.right2},
+        [&](const auto& u) { return linear_contact(e, frame, u, system.contacts.law); }, rows);
   }
   return rows;
 }

@@ -9,9 +9,9 @@ namespace asperity {
 
 /// A group of cracks near in space and time: a row of events.csv. After Hazzard & Young (2000).
 struct AcousticEvent {
-  double time_s = 0;       ///< Of its first crack.
+  double time_s = 0;  ///< Of its first crack.
   double duration_s = 0;
-  Vec2 place;              ///< Mean of its cracks' places, weighted by length; mm.
+  Vec2 place;  ///< Mean of its cracks' places, weighted by length; mm.
   int cracks = 0, tension = 0, shear = 0;
   double energy_n_mm = 0;  ///< Fracture energy of its cracks, per mm of thickness.
 };

@@ -25,9 +25,12 @@ std::vector<double> triangle_damage(const System& system) {
 
 const char* experiment_name(ExperimentType type) {
   switch (type) {
-    case ExperimentType::uniaxial: return "uniaxial";
-    case ExperimentType::triaxial: return "triaxial";
-    case ExperimentType::brazilian: return "brazilian";
+    case ExperimentType::uniaxial:
+      return "uniaxial";
+    case ExperimentType::triaxial:
+      return "triaxial";
+    case ExperimentType::brazilian:
+      return "brazilian";
   }
   return "";
 }

@@ -18,7 +18,12 @@ Crack make_crack(const BondedContacts& contacts, const Particles& p, std::size_t
   double angle = std::atan2(b.y - a.y, b.x - a.x) / units::kRadPerDeg;
   if (angle < 0.0) angle += 180.0;
   if (angle >= 180.0) angle -= 180.0;
-  return {static_cast<int>(c), edge_break_mode(contacts.points[c]), contacts.break_time[c], 0.5 * (a + b), angle, e.length,
+  return {static_cast<int>(c),
+          edge_break_mode(contacts.points[c]),
+          contacts.break_time[c],
+          0.5 * (a + b),
+          angle,
+          e.length,
           edge_fracture_energy(contacts, c)};
 }
 

@@ -12,10 +12,10 @@ struct Crack {
   int contact = 0;
   BreakMode mode = BreakMode::none;
   double time_s = 0;
-  Vec2 place;                 ///< Middle of the edge, mm.
-  double orientation_deg = 0; ///< From the x axis, 0 to 180.
+  Vec2 place;                  ///< Middle of the edge, mm.
+  double orientation_deg = 0;  ///< From the x axis, 0 to 180.
   double length_mm = 0;
-  double energy_n_mm = 0;     ///< Fracture energy, per mm of thickness.
+  double energy_n_mm = 0;  ///< Fracture energy, per mm of thickness.
 };
 
 /// All broken edges, ordered by time and then by contact.

@@ -8,8 +8,8 @@ namespace asperity {
 
 /// Connected pieces of the specimen: triangles joined by a shared particle or an unbroken contact edge.
 struct Fragments {
-  std::vector<int> of_triangle;   ///< Number of each triangle's fragment, 0 the largest by area.
-  std::vector<double> area_mm2;   ///< Per fragment, falling.
+  std::vector<int> of_triangle;  ///< Number of each triangle's fragment, 0 the largest by area.
+  std::vector<double> area_mm2;  ///< Per fragment, falling.
 };
 
 Fragments find_fragments(const BondedContacts& contacts, const Particles& particles);

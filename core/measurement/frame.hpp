@@ -14,9 +14,9 @@ enum class CrackMode : int { softening = 0, tension = 1, shear = 2 };
 struct CrackSegment {
   Vec2 a, b;
   CrackMode mode = CrackMode::softening;
-  double damage = 0;      ///< Eq 5, 0 to 1, mean of the edge's two contact points.
-  double opening_mm = 0;  ///< Mean normal separation.
-  double slip_mm = 0;     ///< Mean shear displacement.
+  double damage = 0;         ///< Eq 5, 0 to 1, mean of the edge's two contact points.
+  double opening_mm = 0;     ///< Mean normal separation.
+  double slip_mm = 0;        ///< Mean shear displacement.
   double break_time_s = -1;  ///< -1 while it only softens.
   double energy_n_mm = 0;    ///< Fracture energy spent on it.
 };
@@ -26,22 +26,23 @@ struct CurveHistory {
   std::vector<double> axial_strain, lateral_strain, stress_mpa;
 };
 
-/// Everything a picture or a VTU file shows of one instant. Positions mm, velocities mm/s, stresses MPa (tension positive).
+/// Everything a picture or a VTU file shows of one instant. Positions mm, velocities mm/s, stresses MPa (tension
+/// positive).
 struct Frame {
   int index = 0;
   double time_s = 0;
-  std::string experiment;          ///< "brazilian", "uniaxial", "triaxial".
-  std::string name;                ///< The config's name.
-  double axial_strain = 0;         ///< As in curves.csv.
-  double stress_mpa = 0;           ///< Axial stress, or 2P/(pi D t) for the disc; compression positive.
+  std::string experiment;   ///< "brazilian", "uniaxial", "triaxial".
+  std::string name;         ///< The config's name.
+  double axial_strain = 0;  ///< As in curves.csv.
+  double stress_mpa = 0;    ///< Axial stress, or 2P/(pi D t) for the disc; compression positive.
   double confining_pressure_mpa = 0;
-  std::vector<Vec2> position, displacement, velocity;   ///< Per node; every particle owns its nodes.
-  std::vector<std::array<int, 3>> triangles;            ///< Node indices.
-  std::vector<std::array<double, 4>> stress;            ///< Per triangle: xx, yy, zz, xy.
-  std::vector<double> damage;                           ///< Per triangle: mean of its contacts' damage.
-  std::vector<int> grain, fragment;                     ///< Per triangle; fragment 0 is the largest by area.
+  std::vector<Vec2> position, displacement, velocity;  ///< Per node; every particle owns its nodes.
+  std::vector<std::array<int, 3>> triangles;           ///< Node indices.
+  std::vector<std::array<double, 4>> stress;           ///< Per triangle: xx, yy, zz, xy.
+  std::vector<double> damage;                          ///< Per triangle: mean of its contacts' damage.
+  std::vector<int> grain, fragment;                    ///< Per triangle; fragment 0 is the largest by area.
   std::vector<CrackSegment> cracks;
-  std::array<double, 2> platen_y{0, 0};                 ///< Bottom and top platen.
+  std::array<double, 2> platen_y{0, 0};  ///< Bottom and top platen.
   CurveHistory curve;
 };
 

@@ -16,7 +16,8 @@ double mean(const std::vector<int>& nodes, const auto& value) {
 /// A band between two rows of nodes would read 0 / 0.
 void refuse_empty(const std::array<std::vector<int>, 2>& bands, const char* pointer) {
   if (!bands[0].empty() && !bands[1].empty()) return;
-  throw Error(ErrorKind::config, {{pointer, "no node of the specimen lies in the gauge", "", "", "make it longer than an edge"}});
+  throw Error(ErrorKind::config,
+              {{pointer, "no node of the specimen lies in the gauge", "", "", "make it longer than an edge"}});
 }
 
 }  // namespace
@@ -29,9 +30,11 @@ Gauges make_gauges(const Particles& p, const ExperimentConfig& experiment, const
     const Vec2 x = p.reference[i];
     for (int side = 0; side < 2; ++side) {
       const double sign = side == 0 ? -1.0 : 1.0;
-      if (std::abs(x.y - (middle + sign * 0.5 * m.axial_gauge_mm)) <= edge_mm) gauges.axial[side].push_back(static_cast<int>(i));
+      if (std::abs(x.y - (middle + sign * 0.5 * m.axial_gauge_mm)) <= edge_mm)
+        gauges.axial[side].push_back(static_cast<int>(i));
       const bool on_flank = std::abs(x.x - sign * half_width) < 1e-9 * half_width;
-      if (on_flank && std::abs(x.y - middle) <= 0.5 * m.lateral_gauge_mm) gauges.lateral[side].push_back(static_cast<int>(i));
+      if (on_flank && std::abs(x.y - middle) <= 0.5 * m.lateral_gauge_mm)
+        gauges.lateral[side].push_back(static_cast<int>(i));
     }
   }
   refuse_empty(gauges.axial, "/measurement/axial_gauge_mm");

@@ -78,7 +78,8 @@ MohrCoulomb fit_mohr_coulomb(std::span<const double> confining, std::span<const 
     throw Error(ErrorKind::config, "a Mohr-Coulomb line needs peak stresses at two confining pressures or more");
   }
   const Line line = fit_line(confining, peaks);
-  if (line.slope <= 0.0) throw Error(ErrorKind::tolerance, "the peak stress falls with the confining pressure: no Mohr-Coulomb line");
+  if (line.slope <= 0.0)
+    throw Error(ErrorKind::tolerance, "the peak stress falls with the confining pressure: no Mohr-Coulomb line");
   const double sine = (line.slope - 1.0) / (line.slope + 1.0);
   double square = 0.0;
   for (std::size_t i = 0; i < confining.size(); ++i) {

@@ -14,7 +14,9 @@ ElasticConstants elastic_constants(double e, double nu, PlaneCondition plane) {
 
 TriangleShape triangle_shape(Vec2 a, Vec2 b, Vec2 c) {
   const double twice_area = cross(b - a, c - a);
-  const auto gradient = [&](Vec2 from, Vec2 to) { return Vec2{(from.y - to.y) / twice_area, (to.x - from.x) / twice_area}; };
+  const auto gradient = [&](Vec2 from, Vec2 to) {
+    return Vec2{(from.y - to.y) / twice_area, (to.x - from.x) / twice_area};
+  };
   return {{gradient(b, c), gradient(c, a), gradient(a, b)}, 0.5 * twice_area};
 }
 

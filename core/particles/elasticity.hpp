@@ -64,7 +64,8 @@ inline BiotState biot_state(const DeformationGradient& f, const ElasticConstants
   return s;
 }
 
-/// Forces on the three corners (N per mm of thickness): f_a = -A (R t) grad N_a, Eq. (P4), the exact gradient of Eq. (P3).
+/// Forces on the three corners (N per mm of thickness): f_a = -A (R t) grad N_a, Eq. (P4), the exact gradient of Eq.
+/// (P3).
 inline std::array<Vec2, 3> corner_forces(const TriangleShape& shape, const BiotState& s) {
   const double p11 = s.cosine * s.t11 - s.sine * s.t12;
   const double p12 = s.cosine * s.t12 - s.sine * s.t22;

@@ -15,7 +15,8 @@ void number_nodes(const Mesh& mesh, Particles& particles) {
     std::array<int, 3> nodes{};
     for (int i = 0; i < 3; ++i) {
       const int vertex = mesh.triangles[t][i];
-      const auto [entry, added] = node_of.try_emplace({mesh.grain[t], vertex}, static_cast<int>(particles.vertex.size()));
+      const auto [entry, added] =
+          node_of.try_emplace({mesh.grain[t], vertex}, static_cast<int>(particles.vertex.size()));
       if (added) {
         particles.vertex.push_back(vertex);
         particles.reference.push_back(mesh.vertices[vertex]);

@@ -10,7 +10,8 @@
 namespace asperity {
 
 /// The deformable particles: nodes that belong to one particle alone, and constant-strain triangles between them.
-/// Lengths mm, velocities mm/s, masses tonne per mm of thickness. Velocities belong to the half step before the positions.
+/// Lengths mm, velocities mm/s, masses tonne per mm of thickness. Velocities belong to the half step before the
+/// positions.
 struct Particles {
   std::vector<Vec2> reference, position, velocity;
   std::vector<double> mass;
@@ -28,7 +29,8 @@ struct Particles {
   }
 };
 
-/// Particles at rest on a mesh: one node for every pair of grain and vertex, a third of each triangle's mass on each corner.
+/// Particles at rest on a mesh: one node for every pair of grain and vertex, a third of each triangle's mass on each
+/// corner.
 Particles make_particles(const Mesh& mesh, const ParticleConfig& config, PlaneCondition plane);
 
 /// Elastic energy of one triangle (N mm per mm of thickness), Eq. (P3).

@@ -38,7 +38,8 @@ TEST_CASE("the critical time step grows with the square root of the mass") {
   System system = test::make_system(test::grid_mesh({4, 4}));
   const double before = critical_time_step(system, kLoops);
   for (double& m : system.particles.mass) m *= 4.0;
-  CHECK(critical_time_step(system, kLoops) == Approx(2.0 * before).epsilon(1e-4));  // the iteration's own tolerance: 1e-5
+  CHECK(critical_time_step(system, kLoops) ==
+        Approx(2.0 * before).epsilon(1e-4));  // the iteration's own tolerance: 1e-5
 }
 
 TEST_CASE("mass scaling makes the asked step stable and touches no node that needs nothing") {
