@@ -4,14 +4,14 @@
 #include <type_traits>
 
 #include "core/base/error.hpp"
-#include "core/config/write_config.hpp"
+#include "core/base/sha256.hpp"
 #include "core/output/atomic_file.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr const char* kMagic = "asperity checkpoint 1\n";
-constexpr std::size_t kDigest = 32;
+constexpr std::size_t kDigest = 64;
 
 /// Appends plain values and vectors of them to a byte string.
 class Writer {
@@ -98,7 +98,7 @@ void write_checkpoint(const std::filesystem::path& file, const Model& model, con
   Writer writer;
   exchange(writer, model.system, state);
   const std::string body = config_hash + writer.bytes();
-  write_file_atomically(file, kMagic + fnv1a_128(body) + body);
+  write_file_atomically(file, kMagic + sha256_hex(body) + body);
 }
 
 void read_checkpoint(const std::filesystem::path& file, Model& model, RunState& state, const std::string& config_hash) {
@@ -107,7 +107,7 @@ void read_checkpoint(const std::filesystem::path& file, Model& model, RunState& 
   if (text.size() < head + kDigest + config_hash.size() || !text.starts_with(kMagic))
     refuse(file, "is no checkpoint of this version");
   const std::string_view body = std::string_view(text).substr(head + kDigest);
-  if (fnv1a_128(body) != text.substr(head, kDigest)) refuse(file, "is damaged: its checksum does not hold");
+  if (sha256_hex(body) != text.substr(head, kDigest)) refuse(file, "is damaged: its checksum does not hold");
   if (!body.starts_with(config_hash)) refuse(file, "belongs to another configuration");
   Model restored_model = model;
   RunState restored_state = state;

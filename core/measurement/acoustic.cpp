@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/units.hpp"
+#include "core/measurement/disjoint_sets.hpp"
 
 namespace asperity {
 namespace {
@@ -16,24 +16,14 @@ double shear_wave_speed(const ParticleConfig& p) {
   return std::sqrt(modulus / (p.density_kg_per_m3 * units::kTonnePerMm3PerKgPerM3));
 }
 
-int find_root(std::vector<int>& parent, int i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 std::vector<int> join_near_cracks(std::span<const Crack> cracks, double distance, double delay) {
-  std::vector<int> parent(cracks.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets events(cracks.size());
   for (int i = 0; i < static_cast<int>(cracks.size()); ++i) {
     for (int j = i + 1; j < static_cast<int>(cracks.size()) && cracks[j].time_s - cracks[i].time_s <= delay; ++j) {
-      if (norm(cracks[j].place - cracks[i].place) > distance) continue;
-      const int a = find_root(parent, i);
-      const int b = find_root(parent, j);
-      parent[std::max(a, b)] = std::min(a, b);
+      if (norm(cracks[j].place - cracks[i].place) <= distance) events.join(i, j);
     }
   }
-  for (int i = 0; i < static_cast<int>(parent.size()); ++i) parent[i] = find_root(parent, i);
-  return parent;
+  return events.names();
 }
 
 void add_crack(AcousticEvent& event, double& length, const Crack& crack) {

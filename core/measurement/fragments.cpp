@@ -1,37 +1,24 @@
 #include "core/measurement/fragments.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "core/measurement/disjoint_sets.hpp"
 
 namespace asperity {
 namespace {
 
-int find_root(std::vector<int>& parent, int i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
-/// The smaller index becomes the root, so the result does not depend on the order of joining.
-void join(std::vector<int>& parent, int a, int b) {
-  a = find_root(parent, a);
-  b = find_root(parent, b);
-  parent[std::max(a, b)] = std::min(a, b);
-}
-
 std::vector<int> connected_triangles(const BondedContacts& contacts, const Particles& p) {
-  std::vector<int> parent(p.triangle_count());
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets pieces(p.triangle_count());
   std::vector<int> first_of_grain(p.triangle_count(), -1);
-  for (int t = 0; t < static_cast<int>(parent.size()); ++t) {
+  for (int t = 0; t < static_cast<int>(p.triangle_count()); ++t) {
     int& first = first_of_grain[p.grain[t]];
     if (first < 0) first = t;
-    join(parent, first, t);
+    pieces.join(first, t);
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (contacts.break_time[c] < 0.0) join(parent, contacts.edges[c].left_triangle, contacts.edges[c].right_triangle);
+    if (contacts.break_time[c] < 0.0) pieces.join(contacts.edges[c].left_triangle, contacts.edges[c].right_triangle);
   }
-  for (int t = 0; t < static_cast<int>(parent.size()); ++t) parent[t] = find_root(parent, t);
-  return parent;
+  return pieces.names();
 }
 
 }  // namespace
