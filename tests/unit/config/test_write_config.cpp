@@ -76,7 +76,7 @@ TEST_CASE("keys stand in the order of the bindings") {
 
 TEST_CASE("the hash changes with every key but name and description") {
   const std::string base = config_hash(unusual());
-  CHECK(base.size() == 32);
+  CHECK(base.size() == 64);
   CHECK(base == config_hash(again(unusual())));
   const RunConfig triangles;  // another configuration of which to take each member
   for (const Binding& binding : bindings()) {
