@@ -53,6 +53,8 @@ std::vector<double> sum(std::vector<double> a, const std::vector<double>& b) {
   return a;
 }
 
+const char* strain_label(bool compression) { return compression ? "axial strain [%]" : "closure / diameter [%]"; }
+
 void plot_stress_strain(const CsvData& curves, bool compression, const std::filesystem::path& path) {
   render::Plot plot;
   const std::vector<double> stress = curves.numbers("axial_stress_mpa");
@@ -65,14 +67,14 @@ void plot_stress_strain(const CsvData& curves, bool compression, const std::file
                    {"lateral, flanks at mid-height", scaled(curves.numbers("lateral_strain"), -100), stress, {}}};
   } else {
     plot.title = "Splitting stress against platen closure";
-    plot.x_label = "closure / diameter [%]";
+    plot.x_label = strain_label(compression);
     plot.y_label = "2P/(πDt) [MPa]";
     plot.series = {{"", scaled(curves.numbers("axial_strain"), 100), stress, {}}};
   }
   render::write_plot(plot, path);
 }
 
-void plot_energy(const CsvData& energy, const std::filesystem::path& path) {
+void plot_energy(const CsvData& energy, bool compression, const std::filesystem::path& path) {
   using render::SeriesKind;
   const std::vector<double> strain = scaled(energy.numbers("axial_strain"), 100);
   const auto area = [&](const char* label, const char* column) {
@@ -81,7 +83,7 @@ void plot_energy(const CsvData& energy, const std::filesystem::path& path) {
   };
   render::Plot plot;
   plot.title = "Energy account";
-  plot.x_label = "axial strain [%]";
+  plot.x_label = strain_label(compression);
   plot.y_label = "energy [N mm]";
   plot.series = {area("elastic, particles", "elastic_n_mm"),
                  area("recoverable, contacts", "recoverable_n_mm"),
@@ -102,7 +104,7 @@ void plot_cracks(const CsvData& curves, bool compression, const std::filesystem:
   const std::vector<double> shear = curves.numbers("cracks_shear");
   render::Plot plot;
   plot.title = "Broken contacts against strain";
-  plot.x_label = "axial strain [%]";
+  plot.x_label = strain_label(compression);
   plot.y_label = "broken contacts";
   plot.second_y_label = compression ? "σ₁ [MPa]" : "2P/(πDt) [MPa]";
   plot.series = {{"tension", strain, tension, {}},
@@ -131,7 +133,7 @@ void draw_plots(const RunFolder& folder, ExperimentType type) {
   const CsvData curves = read_csv(folder.curves());
   const bool compression = type != ExperimentType::brazilian;
   plot_stress_strain(curves, compression, folder.plots() / "stress_strain");
-  plot_energy(read_csv(folder.energy()), folder.plots() / "energy");
+  plot_energy(read_csv(folder.energy()), compression, folder.plots() / "energy");
   plot_cracks(curves, compression, folder.plots() / "cracks");
 }
 
