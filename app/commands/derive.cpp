@@ -19,6 +19,8 @@ Json json_of(const DerivedParameters& d) {
   return {{"tensile_stiffness_gpa_per_mm", d.k_t / units::kMpaPerGpa},
           {"shear_stiffness_gpa_per_mm", d.k_s / units::kMpaPerGpa},
           {"fracture_energy_n_per_mm", d.g_f},
+          {"mixed_mode_energy_n_per_mm", d.g_mixed},
+          {"cohesive_zone_thickness_sliding_mm", d.w_sliding},
           {"cohesive_zone_thickness_mm", d.w},
           {"critical_tensile_displacement_mm", d.delta_ct},
           {"critical_shear_displacement_mm", d.delta_cs},
@@ -42,7 +44,9 @@ void print_parameters(const DerivedParameters& a, const DerivedParameters& b) {
   print_row("k_t [GPa/mm]", "12, 13", a.k_t / units::kMpaPerGpa, b.k_t / units::kMpaPerGpa);
   print_row("k_s [GPa/mm]", "12, 13", a.k_s / units::kMpaPerGpa, b.k_s / units::kMpaPerGpa);
   print_row("G_f = K_IC^2 / E~ [N/mm]", "34 (mode I)", a.g_f, b.g_f);
-  print_row("w, cohesive zone thickness [mm]", "35", a.w, b.w);
+  print_row("G_f of both modes [N/mm]", "34", a.g_mixed, b.g_mixed);
+  print_row("w, cohesive zone, pure tension [mm]", "32, 35", a.w, b.w);
+  print_row("w, cohesive zone, pure sliding [mm]", "32, 36", a.w_sliding, b.w_sliding);
   print_row("delta_ct [mm]", "4", a.delta_ct, b.delta_ct);
   print_row("delta_cs [mm]", "7", a.delta_cs, b.delta_cs);
   print_row("delta_ut [mm]", "10", a.delta_ut, b.delta_ut);
@@ -73,14 +77,32 @@ void print_beta_table() {
   std::cout << fmt::format("\nmean {:.4f}\n", sum / count);
 }
 
-void print_lennard_jones() {
-  std::cout << "\nLennard-Jones forms behind beta, in units of zeta and epsilon (20-25)\n"
-               "   m   n     alpha (21)  x_m (23)  P_c (24)  x_0 (25)\n";
-  for (const auto& [m, n] : {std::pair{6, 12}, {8, 13}, {10, 15}, {12, 18}}) {
-    std::cout << fmt::format("{:4d}{:4d}{:15.4f}{:10.4f}{:10.4f}{:10.4f}\n", m, n,
-                             closed_forms::lennard_jones_alpha(m, n), closed_forms::peak_force_separation(m, n),
-                             closed_forms::cohesive_force(m, n), closed_forms::equilibrium_separation(m, n));
+/// The chain of Eqs 20-32 for one pair of exponents, with zeta = epsilon = gamma = w = a_z = 1; its last entry is w
+/// again.
+void print_bond_chain(int m, int n) {
+  using namespace closed_forms;
+  const double x_0 = equilibrium_separation(m, n);
+  const double p_c = cohesive_force(m, n);
+  const double g_f = bond_fracture_energy_from_force(1.0, 1.0, 1.0, p_c, m, n);
+  const double strength = bond_strength(1.0, p_c, x_0);
+  std::cout << fmt::format("{:4d}{:4d}", m, n);
+  for (double value :
+       {lennard_jones_alpha(m, n), peak_force_separation(m, n), p_c, x_0, bond_density(1.0, x_0), strength,
+        bond_energy(1.0, 1.0, m, n), bonds_in_zone(1.0, 1.0, 1.0, x_0), bond_fracture_energy(1.0, 1.0, 1.0, x_0), g_f,
+        cohesive_zone_thickness(g_f, strength, beta(m, n))}) {
+    std::cout << fmt::format("{:13.4f}", value);
   }
+  std::cout << "\n";
+}
+
+void print_lennard_jones() {
+  std::cout << "\nFrom the Lennard-Jones potential (20) to w (32), with zeta = epsilon = gamma = w = a_z = 1\n   m   n";
+  for (const char* head : {"alpha (21)", "x_m (23)", "P_c (22,24)", "x_0 (25)", "n_b (26)", "sigma_t (27)", "U (28)",
+                           "n_bc (29)", "G_f (30)", "G_f (31)", "w (32)"}) {
+    std::cout << fmt::format("{:>13}", head);
+  }
+  std::cout << "\n";
+  for (const auto& [m, n] : {std::pair{6, 12}, {8, 13}, {10, 15}, {12, 18}}) print_bond_chain(m, n);
 }
 
 }  // namespace

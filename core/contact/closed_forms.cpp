@@ -78,6 +78,29 @@ double cohesive_force(int m, int n) { return lennard_jones_force(peak_force_sepa
 
 double equilibrium_separation(int m, int n) { return std::pow(static_cast<double>(n) / m, 1.0 / (n - m)); }
 
+double bond_density(double gamma, double x_0) { return gamma * 3.0 / (x_0 * x_0 * x_0); }
+
+double bond_strength(double gamma, double p_c, double x_0) { return gamma * p_c / (x_0 * x_0); }
+
+double bond_energy(double epsilon, double zeta, int m, int n) {
+  return -lennard_jones_potential(zeta * equilibrium_separation(m, n), epsilon, zeta, m, n);
+}
+
+double bonds_in_zone(double gamma, double w, double a_z, double x_0) { return bond_density(gamma, x_0) * w * a_z; }
+
+double bond_fracture_energy(double gamma, double w, double epsilon, double x_0) {
+  return bonds_in_zone(gamma, w, 1.0, x_0) * epsilon;
+}
+
+double bond_fracture_energy_from_force(double gamma, double w, double zeta, double p_c, int m, int n) {
+  const double epsilon = p_c * zeta / cohesive_force(m, n);
+  return bond_fracture_energy(gamma, w, epsilon, zeta * equilibrium_separation(m, n));
+}
+
+double mixed_mode_energy(double mode_i_toughness, double mode_ii_toughness, double effective_modulus) {
+  return griffith_energy(mode_i_toughness, effective_modulus) + griffith_energy(mode_ii_toughness, effective_modulus);
+}
+
 }  // namespace asperity::closed_forms
 
 namespace asperity {
@@ -92,7 +115,10 @@ DerivedParameters derive(const RunConfig& config, PlaneCondition plane) {
   d.k_s = c.shear_stiffness_mpa_per_mm.value_or(shear_stiffness(m, plane));
   const double toughness = m.mode_i_toughness_mpa_sqrt_m * units::kMpaSqrtMmPerMpaSqrtM;
   d.g_f = c.fracture_energy_n_per_mm.value_or(griffith_energy(toughness, modulus));
+  const double sliding_toughness = m.mode_ii_toughness_mpa_sqrt_m * units::kMpaSqrtMmPerMpaSqrtM;
+  d.g_mixed = mixed_mode_energy(toughness, sliding_toughness, modulus);
   d.w = cohesive_zone_thickness(griffith_energy(toughness, modulus), m.tensile_strength_mpa, m.beta);
+  d.w_sliding = cohesive_zone_thickness(griffith_energy(sliding_toughness, modulus), m.tensile_strength_mpa, m.beta);
   d.delta_ct = critical_displacement(c.tensile_strength_mpa, d.k_t);
   d.delta_cs = critical_displacement(c.cohesion_mpa, d.k_s);
   d.delta_ut = ultimate_tensile_displacement(c.tensile_strength_mpa, d.delta_ct, d.g_f);

@@ -57,6 +57,27 @@ double cohesive_force(int m, int n);
 /// Equilibrium separation, Eq. (C25), in units of zeta.
 double equilibrium_separation(int m, int n);
 
+/// Bonds per unit volume, Eq. (C26): gamma is the share of bonds that exist, x_0 the equilibrium separation.
+double bond_density(double gamma, double x_0);
+
+/// Tensile strength of a material of such bonds, Eq. (C27); p_c is the largest force of one bond.
+double bond_strength(double gamma, double p_c, double x_0);
+
+/// Energy to part one bond, Eq. (C28): minus the potential at its equilibrium.
+double bond_energy(double epsilon, double zeta, int m, int n);
+
+/// Bonds in a cohesive zone of thickness w and surface a_z, Eq. (C29).
+double bonds_in_zone(double gamma, double w, double a_z, double x_0);
+
+/// Griffith's energy of a cohesive zone of thickness w, Eq. (C30).
+double bond_fracture_energy(double gamma, double w, double epsilon, double x_0);
+
+/// The same in terms of the largest force p_c instead of epsilon, Eq. (C31).
+double bond_fracture_energy_from_force(double gamma, double w, double zeta, double p_c, int m, int n);
+
+/// Both modes' share, Eq. (C34): (K_IC^2 + K_IIC^2) / E~, with K in MPa mm^0.5; N/mm.
+double mixed_mode_energy(double mode_i_toughness, double mode_ii_toughness, double effective_modulus);
+
 }  // namespace asperity::closed_forms
 
 namespace asperity {
@@ -65,7 +86,9 @@ namespace asperity {
 struct DerivedParameters {
   double k_t = 0, k_s = 0;                          ///< MPa/mm, Eqs. (C12), (C13)
   double g_f = 0;                                   ///< N/mm, Eq. (C34), mode I
+  double g_mixed = 0;                               ///< N/mm, Eq. (C34), both modes
   double w = 0;                                     ///< mm, Eq. (C35)
+  double w_sliding = 0;                             ///< mm, Eq. (C36)
   double delta_ct = 0, delta_cs = 0, delta_ut = 0;  ///< mm
 };
 

@@ -106,3 +106,18 @@ TEST_CASE("A fracture energy without room for softening is the config's fault") 
   config.contacts.fracture_energy_n_per_mm = 0.01;
   CHECK_THROWS_AS(law_parameters(config), Error);
 }
+
+TEST_CASE("the chain of Eqs 26 to 32 leads from the potential back to the thickness it started with") {
+  using namespace asperity::closed_forms;
+  const double gamma = 0.3, w = 0.5, zeta = 2e-7, epsilon = 3e-18;
+  for (const auto& [m, n] : {std::pair{6, 12}, {8, 13}, {12, 18}}) {
+    const double x_0 = zeta * equilibrium_separation(m, n);
+    const double p_c = cohesive_force(m, n) * epsilon / zeta;
+    CHECK(bond_energy(epsilon, zeta, m, n) == Approx(epsilon));
+    CHECK(bond_density(gamma, x_0) == Approx(3 * gamma / std::pow(x_0, 3)));
+    CHECK(bonds_in_zone(gamma, w, 4.0, x_0) == Approx(4.0 * w * bond_density(gamma, x_0)));
+    const double g_f = bond_fracture_energy(gamma, w, epsilon, x_0);
+    CHECK(bond_fracture_energy_from_force(gamma, w, zeta, p_c, m, n) == Approx(g_f));
+    CHECK(cohesive_zone_thickness(g_f, bond_strength(gamma, p_c, x_0), beta(m, n)) == Approx(w));
+  }
+}
