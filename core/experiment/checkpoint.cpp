@@ -53,7 +53,7 @@ class Reader {
  private:
   void take(void* to, std::size_t size) {
     if (size > bytes_.size()) throw Error(ErrorKind::output, "the checkpoint ends early");
-    std::memcpy(to, bytes_.data(), size);
+    if (size > 0) std::memcpy(to, bytes_.data(), size);  // an empty vector has no address to copy to
     bytes_.remove_prefix(size);
   }
   std::string_view bytes_;
