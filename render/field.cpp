@@ -9,6 +9,7 @@ namespace asperity::render {
 namespace {
 
 constexpr double kPercentile = 0.99;
+constexpr double kFaintFrame = 0.02;  // of the run's forces
 
 double displacement_of(const Frame& frame, std::size_t triangle) {
   Vec2 sum;
@@ -29,18 +30,25 @@ double value_at(const Frame& frame, Field field, std::size_t i) {
     case Field::displacement:
       return displacement_of(frame, i);
     case Field::cracks:
+    case Field::contacts:
     case Field::fragments:
       break;
   }
   return 0;
 }
 
+Range force_range(const std::vector<ContactForce>& contacts) {
+  std::vector<double> sizes;
+  for (const ContactForce& contact : contacts) sizes.push_back(std::abs(contact.normal_n));
+  return {0, percentiles(sizes, 0, kPercentile).high};
+}
+
 }  // namespace
 
 const std::vector<Field>& all_fields() {
-  static const std::vector<Field> fields{
-      Field::cracks,       Field::damage,    Field::stress,      Field::compressive_stress,
-      Field::shear_stress, Field::fragments, Field::displacement};
+  static const std::vector<Field> fields{Field::cracks,    Field::contacts,           Field::damage,
+                                         Field::stress,    Field::compressive_stress, Field::shear_stress,
+                                         Field::fragments, Field::displacement};
   return fields;
 }
 
@@ -48,6 +56,8 @@ std::string_view field_name(Field field) {
   switch (field) {
     case Field::cracks:
       return "cracks";
+    case Field::contacts:
+      return "contacts";
     case Field::damage:
       return "damage";
     case Field::stress:
@@ -83,6 +93,7 @@ std::optional<FieldColours> field_colours(Field field) {
     case Field::displacement:
       return FieldColours{ColourMap::cividis, "Displacement [mm]"};
     case Field::cracks:
+    case Field::contacts:
     case Field::fragments:
       break;
   }
@@ -103,6 +114,17 @@ Range field_range(Field field, const std::vector<double>& values) {
   const double high = percentiles(sizes, 0, kPercentile).high;
   if (!(high > 0)) return field == Field::stress ? Range{-1, 1} : Range{0, 1};
   return {field == Field::stress ? -high : 0, high};
+}
+
+std::optional<Range> frame_range(const Frame& frame, Field field) {
+  if (field == Field::contacts) return force_range(frame.contacts);
+  if (!field_colours(field)) return std::nullopt;
+  return field_range(field, field_values(frame, field));
+}
+
+std::optional<Range> range_in_run(const Frame& frame, Field field, const std::optional<Range>& run) {
+  if (field != Field::contacts || !run) return run;
+  return Range{0, std::max(force_range(frame.contacts).high, kFaintFrame * run->high)};
 }
 
 }  // namespace asperity::render

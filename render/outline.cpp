@@ -12,8 +12,10 @@ constexpr double kSamePlacePerMm = 1e3;  // edges whose middles round to the sam
 struct Edge {
   std::pair<long long, long long> middle;
   std::array<int, 2> nodes;
+  int triangle;
 };
 
+/// Every triangle's edges; those at one place follow one another.
 std::vector<Edge> all_edges(const Frame& frame) {
   const auto before_loading = [&](int node) {
     const auto i = static_cast<std::size_t>(node);
@@ -21,21 +23,23 @@ std::vector<Edge> all_edges(const Frame& frame) {
   };
   std::vector<Edge> edges;
   edges.reserve(3 * frame.triangles.size());
-  for (const auto& triangle : frame.triangles)
+  for (std::size_t t = 0; t < frame.triangles.size(); ++t)
     for (std::size_t c = 0; c < 3; ++c) {
-      const std::array<int, 2> nodes{triangle[c], triangle[(c + 1) % 3]};
+      const std::array<int, 2> nodes{frame.triangles[t][c], frame.triangles[t][(c + 1) % 3]};
       const Vec2 twice = before_loading(nodes[0]) + before_loading(nodes[1]);
-      edges.push_back({{std::llround(kSamePlacePerMm * twice.x), std::llround(kSamePlacePerMm * twice.y)}, nodes});
+      edges.push_back({{std::llround(kSamePlacePerMm * twice.x), std::llround(kSamePlacePerMm * twice.y)},
+                       nodes,
+                       static_cast<int>(t)});
     }
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge& a, const Edge& b) { return std::pair(a.middle, a.nodes) < std::pair(b.middle, b.nodes); });
   return edges;
 }
 
 }  // namespace
 
 std::vector<std::array<int, 2>> outline_edges(const Frame& frame) {
-  std::vector<Edge> edges = all_edges(frame);
-  std::sort(edges.begin(), edges.end(),
-            [](const Edge& a, const Edge& b) { return std::pair(a.middle, a.nodes) < std::pair(b.middle, b.nodes); });
+  const std::vector<Edge> edges = all_edges(frame);
   std::vector<std::array<int, 2>> outline;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const bool shared = (i > 0 && edges[i - 1].middle == edges[i].middle) ||
@@ -43,6 +47,14 @@ std::vector<std::array<int, 2>> outline_edges(const Frame& frame) {
     if (!shared) outline.push_back(edges[i].nodes);
   }
   return outline;
+}
+
+std::vector<std::array<int, 2>> adjacent_triangles(const Frame& frame) {
+  const std::vector<Edge> edges = all_edges(frame);
+  std::vector<std::array<int, 2>> pairs;
+  for (std::size_t i = 1; i < edges.size(); ++i)
+    if (edges[i - 1].middle == edges[i].middle) pairs.push_back({edges[i - 1].triangle, edges[i].triangle});
+  return pairs;
 }
 
 }  // namespace asperity::render

@@ -18,6 +18,7 @@ namespace {
 // Pixels of the standard picture, 1600 x 1200.
 constexpr double kMargin = 36, kHeader = 142, kScaleBarRow = 62, kBetween = 48;
 constexpr double kNarrowPanel = 530, kWidePanel = 860;
+constexpr double kBeside = 32;  // loose pieces may come so near to the picture's edge and the panel
 constexpr double kInsetAspect = 1.15, kInsetPart = 0.76;  // highest inset: of its width, of the panel's height
 constexpr double kBelowKey = 44;
 
@@ -60,6 +61,7 @@ View place_view(const Frame& frame, const Drawing& drawing, double unit) {
   View view = fit_view(frame, room);
   const double widest = drawing.width - (kMargin + kBetween + kWidePanel) * unit;
   view.area.right = std::max(view.area.right, widest);
+  view.beside = kBeside * unit;
   return view;
 }
 
@@ -74,7 +76,7 @@ Drawing draw_picture(const Frame& frame, const PictureOptions& options) {
   draw_header(drawing, frame, options, unit);
   Box panel{view.area.right + kBetween * unit, kHeader * unit, drawing.width - kMargin * unit,
             drawing.height - kMargin * unit};
-  const double key_end = draw_key(drawing, frame, options, panel, unit);
+  const double key_end = draw_key(drawing, frame, options, view, panel, unit);
   panel.top = std::max(key_end + kBelowKey * unit,
                        panel.bottom - std::min(kInsetAspect * panel.width(), kInsetPart * panel.height()));
   draw_inset(drawing, frame, options, panel, unit);
@@ -91,9 +93,8 @@ SeriesRanges ranges_over_series(const std::filesystem::path& run_dir, const std:
   for (int index = 0; index < count; ++index) {
     const Frame frame = read_frame(run_dir, index);
     for (std::size_t f = 0; f < fields.size(); ++f) {
-      if (!field_colours(fields[f])) continue;
-      const Range range = field_range(fields[f], field_values(frame, fields[f]));
-      ranges.colours[f] = ranges.colours[f] ? united(*ranges.colours[f], range) : range;
+      const std::optional<Range> range = frame_range(frame, fields[f]);
+      if (range) ranges.values[f] = united(ranges.values[f].value_or(*range), *range);
     }
     ranges.strain = range_of(frame.curve.axial_strain);
     ranges.stress = range_of(frame.curve.stress_mpa);
@@ -102,18 +103,19 @@ SeriesRanges ranges_over_series(const std::filesystem::path& run_dir, const std:
 }
 
 std::optional<Range> range_over_series(const std::filesystem::path& run_dir, Field field) {
-  return ranges_over_series(run_dir, {field}).colours.front();
+  return ranges_over_series(run_dir, {field}).values.front();
 }
 
 void draw_series(const std::filesystem::path& run_dir, const std::vector<Field>& fields, const std::vector<int>& frames,
                  const PictureOptions& options) {
+  if (std::find(fields.begin(), fields.end(), Field::contacts) != fields.end()) require_contacts(run_dir);
   const SeriesRanges ranges = ranges_over_series(run_dir, fields);
   for (const int index : frames) {
     const Frame frame = read_frame(run_dir, index);
     for (std::size_t f = 0; f < fields.size(); ++f) {
       PictureOptions picture = options;
       picture.field = fields[f];
-      if (!picture.colour_range) picture.colour_range = ranges.colours[f];
+      if (!picture.value_range) picture.value_range = range_in_run(frame, fields[f], ranges.values[f]);
       if (!picture.strain_range) picture.strain_range = ranges.strain;
       if (!picture.stress_range) picture.stress_range = ranges.stress;
       draw_frame(frame, picture, run_dir / "frames" / fmt::format("{}_{:06}.png", field_name(fields[f]), index));

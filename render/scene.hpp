@@ -15,7 +15,7 @@ namespace asperity::render {
 struct PictureOptions {
   Field field = Field::cracks;
   int width = 1600, height = 1200;
-  std::optional<Range> colour_range;  ///< In the field's unit; has no effect on cracks and fragments.
+  std::optional<Range> value_range;   ///< Of colours or line widths, in the field's unit; as frame_range().
   std::optional<Range> strain_range;  ///< Of the inset curve, as in Frame (not %).
   std::optional<Range> stress_range;  ///< Of the inset curve, MPa.
   double displacement_scale = 1;      ///< Exaggerates displacements; a value other than 1 is noted in the picture.
@@ -29,15 +29,15 @@ void draw_frame(const Frame& frame, const PictureOptions& options, const std::fi
 
 /// Ranges that hold for every frame of a run.
 struct SeriesRanges {
-  std::vector<std::optional<Range>> colours;  ///< For each of the fields asked for.
-  Range strain, stress;                       ///< Of the curve up to the last frame.
+  std::vector<std::optional<Range>> values;  ///< For each of the fields asked for.
+  Range strain, stress;                      ///< Of the curve up to the last frame.
 };
 
 /// Reads all frames of a run once. Errors: Error(output) as read_frame.
 SeriesRanges ranges_over_series(const std::filesystem::path& run_dir, const std::vector<Field>& fields);
 
-/// The colour range of one field over all frames of a run: robust percentiles (README.md), in the field's unit; nothing
-/// for cracks and fragments. Errors: Error(output) as read_frame.
+/// The range of one field over all frames of a run: robust percentiles (README.md), in the field's unit; nothing for
+/// cracks and fragments. Errors: Error(output) as read_frame.
 std::optional<Range> range_over_series(const std::filesystem::path& run_dir, Field field);
 
 /// Draws frames/<field>_<frame>.png for every field and frame, from the run's VTU files alone, all with the ranges of

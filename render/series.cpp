@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -15,6 +16,19 @@ namespace asperity::render {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// One of the run's series: the bytes of a frame's VTU file, and back.
+struct Series {
+  const char* name;
+  std::string (*bytes)(const Frame& frame);
+  void (*read)(const fs::path& path, Frame& frame);
+  bool in_every_run = true;  ///< Else runs of older versions lack it.
+};
+
+constexpr Series kFields{"fields", fields_vtu, read_fields_vtu};
+constexpr Series kCracks{"cracks", cracks_vtu, read_cracks_vtu};
+constexpr Series kContacts{"contacts", contacts_vtu, read_contacts_vtu, false};
+constexpr std::array kSeries{kFields, kCracks, kContacts};
 
 std::string relative_file(const char* series, std::size_t index) {
   return fmt::format("{0}/{0}_{1:06}.vtu", series, index);
@@ -33,7 +47,7 @@ std::string pvd(const char* series, const std::vector<double>& times) {
 fs::path pvd_path(const fs::path& run_dir, const char* series) { return run_dir / (std::string(series) + ".pvd"); }
 
 void write_pvds(const fs::path& run_dir, const std::vector<double>& times) {
-  for (const char* series : {"fields", "cracks"}) write_file(pvd_path(run_dir, series), pvd(series, times));
+  for (const Series& series : kSeries) write_file(pvd_path(run_dir, series.name), pvd(series.name, times));
 }
 
 void remove_file(const fs::path& path) {
@@ -55,35 +69,8 @@ void remove_frames(const fs::path& run_dir, const char* series, std::size_t firs
   for (const fs::path& path : old) remove_file(path);
 }
 
-std::vector<double> kept_times(const fs::path& run_dir, std::size_t count) {
-  if (count == 0) return {};
-  std::vector<double> times = series_times(run_dir);
-  if (times.size() < count)
-    throw Error(ErrorKind::output, fmt::format("cannot continue {}: it lists {} frames, {} are to be kept",
-                                               pvd_path(run_dir, "fields").string(), times.size(), count));
-  times.resize(count);
-  return times;
-}
-
-}  // namespace
-
-SeriesWriter::SeriesWriter(fs::path run_dir, std::size_t frames_to_keep)
-    : run_dir_(std::move(run_dir)), times_(kept_times(run_dir_, frames_to_keep)) {
-  write_pvds(run_dir_, times_);
-  for (const char* series : {"fields", "cracks"}) remove_frames(run_dir_, series, times_.size());
-}
-
-void SeriesWriter::write(const Frame& frame) {
-  std::vector<double> times = times_;
-  times.push_back(frame.time_s);
-  write_file(run_dir_ / relative_file("fields", times_.size()), fields_vtu(frame));
-  write_file(run_dir_ / relative_file("cracks", times_.size()), cracks_vtu(frame));
-  write_pvds(run_dir_, times);
-  times_ = std::move(times);
-}
-
-std::vector<double> series_times(const fs::path& run_dir) {
-  const fs::path path = pvd_path(run_dir, "fields");
+/// Physical times (s) of the frames that a .pvd file lists.
+std::vector<double> listed_times(const fs::path& path) {
   std::ifstream file(path);
   if (!file) throw Error(ErrorKind::output, "cannot read " + path.string());
   std::stringstream content;
@@ -102,11 +89,52 @@ std::vector<double> series_times(const fs::path& run_dir) {
   return times;
 }
 
+std::vector<double> kept_times(const fs::path& run_dir, std::size_t count) {
+  std::vector<double> times;
+  for (std::size_t s = 0; s < kSeries.size() && count > 0; ++s) {
+    const fs::path path = pvd_path(run_dir, kSeries[s].name);
+    times = listed_times(path);
+    if (times.size() < count)
+      throw Error(ErrorKind::output, fmt::format("cannot continue {}: it lists {} frames, {} are to be kept",
+                                                 path.string(), times.size(), count));
+    times.resize(count);
+  }
+  return times;
+}
+
+}  // namespace
+
+SeriesWriter::SeriesWriter(fs::path run_dir, std::size_t frames_to_keep)
+    : run_dir_(std::move(run_dir)), times_(kept_times(run_dir_, frames_to_keep)) {
+  write_pvds(run_dir_, times_);
+  for (const Series& series : kSeries) remove_frames(run_dir_, series.name, times_.size());
+}
+
+void SeriesWriter::write(const Frame& frame) {
+  std::vector<double> times = times_;
+  times.push_back(frame.time_s);
+  for (const Series& series : kSeries)
+    write_file(run_dir_ / relative_file(series.name, times_.size()), series.bytes(frame));
+  write_pvds(run_dir_, times);
+  times_ = std::move(times);
+}
+
+std::vector<double> series_times(const fs::path& run_dir) { return listed_times(pvd_path(run_dir, kFields.name)); }
+
+void require_contacts(const fs::path& run_dir) {
+  const fs::path path = pvd_path(run_dir, kContacts.name);
+  if (!fs::exists(path))
+    throw Error(ErrorKind::output, "cannot draw contacts: there is no " + path.string() +
+                                       " (older versions wrote none; run the test again)");
+}
+
 Frame read_frame(const fs::path& run_dir, int index) {
   Frame frame;
   frame.index = index;
-  read_fields_vtu(run_dir / relative_file("fields", static_cast<std::size_t>(index)), frame);
-  read_cracks_vtu(run_dir / relative_file("cracks", static_cast<std::size_t>(index)), frame);
+  for (const Series& series : kSeries) {
+    if (!series.in_every_run && !fs::exists(pvd_path(run_dir, series.name))) continue;
+    series.read(run_dir / relative_file(series.name, static_cast<std::size_t>(index)), frame);
+  }
   return frame;
 }
 

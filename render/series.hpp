@@ -7,8 +7,8 @@
 
 namespace asperity::render {
 
-/// Writes a run's two time series for ParaView: fields/fields_000000.vtu with fields.pvd, cracks/cracks_000000.vtu with
-/// cracks.pvd. After every frame both .pvd files are whole and list only whole files. README.md lists the arrays.
+/// Writes a run's time series for ParaView: fields/fields_000000.vtu with fields.pvd, and cracks and contacts in the
+/// same way. After every frame the .pvd files are whole and list only whole files. README.md lists the arrays.
 class SeriesWriter {
  public:
   /// Starts in `run_dir`, keeping the first `frames_to_keep` frames of a series already there (0: a new series); later
@@ -29,7 +29,11 @@ class SeriesWriter {
 /// Physical times (s) of the frames listed in a run's fields.pvd. Errors: Error(output) if it is missing or not a .pvd.
 std::vector<double> series_times(const std::filesystem::path& run_dir);
 
-/// One frame, from its two VTU files alone. Errors: Error(output) if one is missing, damaged or lacks an array.
+/// Errors: Error(output) if the run has no series of contacts; older versions wrote none.
+void require_contacts(const std::filesystem::path& run_dir);
+
+/// One frame, from its VTU files alone; without contacts where the run has no contacts.pvd (older versions wrote none).
+/// Errors: Error(output) if a file is missing, damaged or lacks an array.
 Frame read_frame(const std::filesystem::path& run_dir, int index);
 
 }  // namespace asperity::render

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "render/axes.hpp"
+#include "render/force_chains.hpp"
+#include "render/fragment_colours.hpp"
 #include "render/specimen.hpp"
 #include "render/style.hpp"
 #include "render/text_metrics.hpp"
@@ -16,6 +18,7 @@ namespace {
 constexpr double kRow = 48, kSwatch = 84, kBarHeight = 36;  // pixels of the standard picture
 constexpr int kBarSteps = 256, kBarParts = 5;
 constexpr double kPercent = 100;
+constexpr double kForceSwatchWidth = 6;
 
 Text label(Vec2 at, const std::string& text, double size, Anchor anchor = Anchor::left) {
   return {at, text, size, anchor, Weight::regular, Direction::across, style::kInk};
@@ -57,6 +60,54 @@ double draw_crack_key(Drawing& drawing, const Frame& frame, const Box& room, dou
   return y - 0.5 * kRow * unit;
 }
 
+const char* text_of(ForceClass kind) {
+  switch (kind) {
+    case ForceClass::compression:
+      return "Compression";
+    case ForceClass::tension:
+      return "Tension";
+    case ForceClass::broken:
+      return "Bond broken";
+    case ForceClass::general:
+      return "New contact";
+  }
+  return "";
+}
+
+std::string force_text(double force_n) {
+  if (force_n >= 1e3) return fmt::format("{:.3g} kN", 1e-3 * force_n);
+  return force_n >= 0.1 ? fmt::format("{:.3g} N", force_n) : fmt::format("{:.3g} mN", 1e3 * force_n);
+}
+
+/// The widest line and two narrower ones, with the forces they stand for.
+double draw_width_key(Drawing& drawing, const ForceScale& scale, const Box& room, double unit) {
+  double y = room.top + 0.5 * kRow * unit;
+  draw_row_text(drawing, {room.left, y}, "Line width: normal force", unit, room.right);
+  for (const double part : {1.0, 0.5, 0.2}) {
+    y += kRow * unit;
+    const double force = part * scale.largest_n;
+    draw_force(drawing, ForceClass::compression, {room.left + 6 * unit, y}, {room.left + kSwatch * unit, y},
+               scale.width(force));
+    draw_row_text(drawing, {room.left + (kSwatch + 20) * unit, y}, force_text(force) + (part == 1 ? " and more" : ""),
+                  unit, room.right);
+  }
+  return y + 0.5 * kRow * unit;
+}
+
+double draw_force_key(Drawing& drawing, const Frame& frame, const ForceScale& scale, const Box& room, double unit) {
+  double y = room.top + 0.5 * kRow * unit;
+  for (const ForceClass kind : kForceClasses) {
+    const auto count = std::count_if(frame.contacts.begin(), frame.contacts.end(),
+                                     [kind](const ContactForce& contact) { return force_class(contact) == kind; });
+    draw_force(drawing, kind, {room.left + 6 * unit, y}, {room.left + kSwatch * unit, y}, kForceSwatchWidth * unit);
+    draw_row_text(drawing, {room.left + (kSwatch + 20) * unit, y}, fmt::format("{}: {}", text_of(kind), count), unit,
+                  room.right);
+    y += kRow * unit;
+  }
+  const Box below{room.left, y - 0.5 * kRow * unit, room.right, room.bottom};
+  return scale.largest_n > 0 ? draw_width_key(drawing, scale, below, unit) : below.top;
+}
+
 std::vector<std::string> fragment_rows(const std::vector<FragmentShare>& order) {
   std::vector<std::string> rows;
   double rest = 1;
@@ -70,14 +121,30 @@ std::vector<std::string> fragment_rows(const std::vector<FragmentShare>& order) 
   return rows;
 }
 
+/// The colours of the fragments that a row stands for: one, or all muted ones.
+std::vector<Colour> row_colours(std::size_t row) {
+  if (row == 0) return {style::kLargestFragment};
+  if (row <= style::kFragments.size()) return {style::kFragments[row - 1]};
+  return {style::kSmallFragments.begin(), style::kSmallFragments.end()};
+}
+
+void draw_fragment_swatch(Drawing& drawing, const Box& swatch, const std::vector<Colour>& colours, double unit) {
+  const double width = swatch.width() / static_cast<double>(colours.size());
+  double left = swatch.left;
+  for (const Colour colour : colours) {
+    add_box(drawing, {left, swatch.top, left + width, swatch.bottom}, colour);
+    left += width;
+  }
+  add_frame(drawing, swatch, {style::kSoftInk, 1.5 * unit, {}, Cap::butt});
+}
+
 double draw_fragment_key(Drawing& drawing, const Frame& frame, const Box& room, double unit) {
   const std::vector<std::string> rows = fragment_rows(fragments_by_area(frame));
   const double row_height = 42 * unit;
   double y = room.top + 0.5 * row_height;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Box swatch{room.left, y - 14 * unit, room.left + 46 * unit, y + 14 * unit};
-    add_box(drawing, swatch, fragment_colour(i));
-    add_frame(drawing, swatch, {style::kSoftInk, 1.5 * unit, {}, Cap::butt});
+    draw_fragment_swatch(drawing, swatch, row_colours(i), unit);
     draw_row_text(drawing, {room.left + 64 * unit, y}, rows[i], unit, room.right);
     y += row_height;
   }
@@ -116,7 +183,7 @@ double draw_colour_bar(Drawing& drawing, const Frame& frame, const PictureOption
   const FieldColours colours = *field_colours(options.field);
   const std::vector<double> values = field_values(frame, options.field);
   const Axis axis =
-      make_axis(options.colour_range.value_or(field_range(options.field, values)), colours.label, kBarParts);
+      make_axis(options.value_range.value_or(field_range(options.field, values)), colours.label, kBarParts);
   const double indent = 26 * unit, top = room.top + 1.5 * style::kLabelSize * unit;
   const Box bar{room.left + indent, top, room.right - indent, top + kBarHeight * unit};
   const double size = fitting_size(axis.label, style::kLabelSize * unit, Weight::regular, bar.width());
@@ -145,8 +212,11 @@ ExperimentTexts experiment_texts(const Frame& frame) {
   return {frame.experiment, "Axial strain", "Axial stress"};
 }
 
-double draw_key(Drawing& drawing, const Frame& frame, const PictureOptions& options, const Box& room, double unit) {
+double draw_key(Drawing& drawing, const Frame& frame, const PictureOptions& options, const View& view, const Box& room,
+                double unit) {
   if (options.field == Field::cracks) return draw_crack_key(drawing, frame, room, unit);
+  if (options.field == Field::contacts)
+    return draw_force_key(drawing, frame, force_scale(frame, options, view, unit), room, unit);
   if (options.field == Field::fragments) return draw_fragment_key(drawing, frame, room, unit);
   return draw_colour_bar(drawing, frame, options, room, unit);
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/measurement/frame.hpp"
 #include "render/scene.hpp"
+#include "render/specimen.hpp"
 
 namespace asperity::render {
 
@@ -11,7 +12,8 @@ struct ExperimentTexts {
 ExperimentTexts experiment_texts(const Frame& frame);
 
 /// Colour bar or legend from the top of `room`; returns where it ends (pixels).
-double draw_key(Drawing& drawing, const Frame& frame, const PictureOptions& options, const Box& room, double unit);
+double draw_key(Drawing& drawing, const Frame& frame, const PictureOptions& options, const View& view, const Box& room,
+                double unit);
 
 /// Stress against strain so far, with the present point, filling `room`.
 void draw_inset(Drawing& drawing, const Frame& frame, const PictureOptions& options, const Box& room, double unit);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "render/force_chains.hpp"
+#include "render/fragment_colours.hpp"
 #include "render/outline.hpp"
 #include "render/style.hpp"
 
@@ -59,16 +61,20 @@ void draw_particle(Drawing& drawing, const std::array<Vec2, 3>& corners, Colour 
 std::vector<Colour> particle_colours(const Frame& frame, const PictureOptions& options) {
   std::vector<Colour> colours(frame.triangles.size(), style::kSpecimen);
   if (options.field == Field::fragments) {
-    std::map<int, Colour> by_fragment;
-    const auto order = fragments_by_area(frame);
-    for (std::size_t i = 0; i < order.size(); ++i) by_fragment[order[i].fragment] = fragment_colour(i);
-    for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = by_fragment[frame.fragment[i]];
+    const std::map<int, Colour> by_fragment = fragment_colours(frame, fragments_by_area(frame));
+    for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = by_fragment.at(frame.fragment[i]);
   } else if (const auto field = field_colours(options.field)) {
     const std::vector<double> values = field_values(frame, options.field);
-    const Range range = options.colour_range.value_or(field_range(options.field, values));
+    const Range range = options.value_range.value_or(field_range(options.field, values));
     for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = colour_at(field->map, fraction_in(range, values[i]));
   }
   return colours;
+}
+
+/// Particles show through the crack network, and not under the forces, which are drawn between them.
+Colour outline_colour(Field field, Colour fill) {
+  if (field == Field::cracks) return style::kSpecimenEdge;
+  return field == Field::contacts ? fill : paler(fill);
 }
 
 Vec2 shown_position(const Frame& frame, int node, double scale) {
@@ -78,7 +84,6 @@ Vec2 shown_position(const Frame& frame, int node, double scale) {
 void draw_particles(Drawing& drawing, const Frame& frame, const PictureOptions& options, const View& view,
                     double unit) {
   const std::vector<Colour> colours = particle_colours(frame, options);
-  const bool plain = options.field == Field::cracks;
   for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
     std::array<Vec2, 3> corners;
     bool shown = true;
@@ -86,7 +91,7 @@ void draw_particles(Drawing& drawing, const Frame& frame, const PictureOptions& 
       corners[c] = view.place(shown_position(frame, frame.triangles[i][c], options.displacement_scale));
       shown = shown && view.shows(corners[c]);
     }
-    const Colour outline = plain ? style::kSpecimenEdge : paler(colours[i]);
+    const Colour outline = outline_colour(options.field, colours[i]);
     if (shown) draw_particle(drawing, corners, colours[i], outline, kOutlineHalfWidth * unit);
   }
 }
@@ -115,11 +120,19 @@ void draw_crack_network(Drawing& drawing, const Frame& frame, const View& view, 
   draw_cracks(drawing, frame, CrackMode::tension, {kTension, kTensionWidth * unit, {}, Cap::round}, view);
 }
 
+void draw_broken(Drawing& drawing, const Frame& frame, const Stroke& stroke, const View& view) {
+  for (const CrackMode mode : {CrackMode::tension, CrackMode::shear}) draw_cracks(drawing, frame, mode, stroke, view);
+}
+
 void draw_broken_over_field(Drawing& drawing, const Frame& frame, const View& view, double unit) {
   const Stroke casing{style::kBrokenCasing, style::kBrokenCasingWidth * unit, {}, Cap::round};
   const Stroke core{style::kBroken, style::kBrokenWidth * unit, {}, Cap::round};
-  for (const Stroke& stroke : {casing, core})
-    for (const CrackMode mode : {CrackMode::tension, CrackMode::shear}) draw_cracks(drawing, frame, mode, stroke, view);
+  for (const Stroke& stroke : {casing, core}) draw_broken(drawing, frame, stroke, view);
+}
+
+void draw_forces(Drawing& drawing, const Frame& frame, const PictureOptions& options, const View& view, double unit) {
+  draw_broken(drawing, frame, {style::kBrokenUnder, style::kBrokenUnderWidth * unit, {}, Cap::round}, view);
+  draw_force_chains(drawing, frame, view, force_scale(frame, options, view, unit));
 }
 
 void draw_platens(Drawing& drawing, const Frame& frame, const View& view, double unit) {
@@ -140,7 +153,8 @@ void draw_platens(Drawing& drawing, const Frame& frame, const View& view, double
 Vec2 View::place(Vec2 mm) const { return area.centre() + pixels_per_mm * Vec2{mm.x - centre.x, centre.y - mm.y}; }
 
 bool View::shows(Vec2 pixel) const {
-  return pixel.x >= area.left && pixel.x <= area.right && pixel.y >= area.top && pixel.y <= area.bottom;
+  return pixel.x >= area.left - beside && pixel.x <= area.right + beside && pixel.y >= area.top &&
+         pixel.y <= area.bottom;
 }
 
 View fit_view(const Frame& frame, const Box& room) {
@@ -163,6 +177,10 @@ void draw_specimen(Drawing& drawing, const Frame& frame, const PictureOptions& o
   draw_outline(drawing, frame, options, view, unit);
   if (options.field == Field::cracks)
     draw_crack_network(drawing, frame, view, unit);
+  else if (options.field == Field::contacts)
+    draw_forces(drawing, frame, options, view, unit);
+  else if (options.field == Field::fragments && options.displacement_scale == 1)
+    draw_broken(drawing, frame, {style::kInk, style::kFragmentEdgeWidth * unit, {}, Cap::round}, view);
   else if (options.field != Field::damage && options.displacement_scale == 1)
     draw_broken_over_field(drawing, frame, view, unit);
 }
@@ -177,27 +195,6 @@ void draw_scale_bar(Drawing& drawing, const View& view, double unit) {
   add_line(drawing, right - end, right + end, ends);
   drawing.shapes.push_back(Text{right + unit * Vec2{16, 10}, fmt::format("{:g} mm", length), style::kLabelSize * unit,
                                 Anchor::left, Weight::regular, Direction::across, style::kInk});
-}
-
-std::vector<FragmentShare> fragments_by_area(const Frame& frame) {
-  std::map<int, double> areas;
-  double all = 0;
-  for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
-    const auto& t = frame.triangles[i];
-    const Vec2 a = frame.position[at(t[0])], b = frame.position[at(t[1])], c = frame.position[at(t[2])];
-    const double area = 0.5 * std::abs(cross(b - a, c - a));
-    areas[frame.fragment[i]] += area;
-    all += area;
-  }
-  std::vector<FragmentShare> shares;
-  for (const auto& [fragment, area] : areas) shares.push_back({fragment, all > 0 ? area / all : 0});
-  std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.share > b.share; });
-  return shares;
-}
-
-Colour fragment_colour(std::size_t place) {
-  if (place == 0) return style::kLargestFragment;
-  return place <= style::kFragments.size() ? style::kFragments[place - 1] : style::kSmallFragment;
 }
 
 }  // namespace asperity::render

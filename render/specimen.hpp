@@ -13,6 +13,7 @@ struct View {
   double pixels_per_mm = 1;
   Vec2 specimen_mm;      ///< Width and height before loading.
   double platen_mm = 0;  ///< Thickness of a drawn platen.
+  double beside = 0;     ///< Pixels at either side of the area that loose pieces may use too.
   Vec2 place(Vec2 mm) const;
   bool shows(Vec2 pixel) const;
 };
@@ -26,15 +27,5 @@ void draw_specimen(Drawing& drawing, const Frame& frame, const PictureOptions& o
 
 /// A bar of a round length with its length in mm, below the view.
 void draw_scale_bar(Drawing& drawing, const View& view, double unit);
-
-/// Fragments by area, largest first, with their share of all area.
-struct FragmentShare {
-  int fragment = 0;
-  double share = 0;
-};
-std::vector<FragmentShare> fragments_by_area(const Frame& frame);
-
-/// The fill of the fragment at a place in that order.
-Colour fragment_colour(std::size_t place);
 
 }  // namespace asperity::render

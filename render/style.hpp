@@ -20,7 +20,6 @@ inline constexpr Colour kSpecimenEdge{0xF6, 0xF6, 0xF4};  ///< Outlines of parti
 inline constexpr Colour kOutline{0x6E, 0x6E, 0x6E};       ///< The specimen's own surface.
 inline constexpr double kOutlineWidth = 2;
 inline constexpr Colour kLargestFragment{0xE4, 0xE4, 0xE0};
-inline constexpr Colour kSmallFragment{0x7A, 0x7A, 0x7A};
 
 /// Okabe and Ito's palette (jfly.uni-koeln.de/color), which colour-blind readers tell apart.
 inline constexpr Colour kBlue{0x00, 0x72, 0xB2}, kVermilion{0xD5, 0x5E, 0x00}, kGreen{0x00, 0x9E, 0x73},
@@ -34,7 +33,19 @@ inline constexpr double kTensionWidth = 5, kShearWidth = 8, kShearCoreWidth = 2.
 inline constexpr Colour kBroken = kInk, kBrokenCasing = kPaper;
 inline constexpr double kBrokenWidth = 2, kBrokenCasingWidth = 4.5;
 
+/// Contact forces; those without a bond lie over the others.
+inline constexpr Colour kCompressiveForce = kBlue, kTensileForce = kVermilion, kBrokenForce = kInk,
+                        kGeneralForce = kGreen;
+/// Broken contacts under the forces.
+inline constexpr Colour kBrokenUnder{0xA8, 0xA8, 0xA8};
+inline constexpr double kBrokenUnderWidth = 1.5;
+
 inline constexpr std::array<Colour, 7> kFragments{kOrange, kSky, kGreen, kYellow, kBlue, kVermilion, kPurple};
+/// All smaller fragments: muted, of differing lightness, none like those above.
+inline constexpr std::array<Colour, 6> kSmallFragments{Colour{0x3F, 0x3F, 0x3F}, {0xB0, 0x89, 0x68},
+                                                       {0x3E, 0x5C, 0x76},       {0x8A, 0x8A, 0x8A},
+                                                       {0x6B, 0x44, 0x23},       {0x6A, 0x7F, 0x3A}};
+inline constexpr double kFragmentEdgeWidth = 1.6;  ///< Broken contacts over fragments, in ink.
 inline constexpr std::array<Colour, 7> kLines{kBlue, kVermilion, kGreen, kPurple, kOrange, kSky, kBlack};
 inline constexpr double kLineWidth = 4, kMarkerRadius = 7, kPresentPointRadius = 11;
 

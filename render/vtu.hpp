@@ -12,11 +12,17 @@ std::string fields_vtu(const Frame& frame);
 /// The bytes of a frame's VTU file of cracks: one VTK_LINE for each softening or broken contact.
 std::string cracks_vtu(const Frame& frame);
 
-/// Fills everything but the cracks. Errors: Error(output) with the path and what is wrong.
+/// The bytes of a frame's VTU file of contact forces: one VTK_LINE for each, from particle to particle.
+std::string contacts_vtu(const Frame& frame);
+
+/// Fills everything but cracks and contacts. Errors: Error(output) with the path and what is wrong.
 void read_fields_vtu(const std::filesystem::path& path, Frame& frame);
 
 /// Fills the cracks. Errors: as read_fields_vtu.
 void read_cracks_vtu(const std::filesystem::path& path, Frame& frame);
+
+/// Fills the contacts. Errors: as read_fields_vtu.
+void read_contacts_vtu(const std::filesystem::path& path, Frame& frame);
 
 /// In-plane principal stresses of (xx, yy, zz, xy), in its unit, tension positive.
 struct PrincipalStress {

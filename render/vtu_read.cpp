@@ -68,6 +68,8 @@ class VtuFile {
     return array->GetValue(0);
   }
 
+  [[noreturn]] void refuse(const std::string& reason) const { fail(path_, reason); }
+
  private:
   vtkDataArray* need(vtkFieldData* data, const char* name, std::size_t length) const {
     vtkDataArray* array = data->GetArray(name);
@@ -126,6 +128,19 @@ void read_cell_fields(const VtuFile& file, Frame& frame) {
   frame.fragment = scalars<int>(file.cell_array("fragment"), n);
 }
 
+/// The ends of every cell, which must be a line.
+std::vector<std::array<Vec2, 2>> line_ends(const VtuFile& file) {
+  std::vector<std::array<Vec2, 2>> lines(file.cells());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    vtkIdType count = 0;
+    const vtkIdType* ends = nullptr;
+    file.grid()->GetCellPoints(static_cast<vtkIdType>(i), count, ends);
+    if (count != 2) file.refuse("a cell is not a line of two points");
+    lines[i] = {point_of(file.grid(), ends[0]), point_of(file.grid(), ends[1])};
+  }
+  return lines;
+}
+
 }  // namespace
 
 void read_fields_vtu(const std::filesystem::path& path, Frame& frame) {
@@ -147,7 +162,8 @@ void read_fields_vtu(const std::filesystem::path& path, Frame& frame) {
 
 void read_cracks_vtu(const std::filesystem::path& path, Frame& frame) {
   const VtuFile file(path);
-  const std::size_t n = file.cells();
+  const auto ends = line_ends(file);
+  const std::size_t n = ends.size();
   const auto mode = scalars<int>(file.cell_array("mode"), n);
   const auto damage = scalars<double>(file.cell_array("damage"), n);
   const auto opening = scalars<double>(file.cell_array("opening"), n);
@@ -155,20 +171,22 @@ void read_cracks_vtu(const std::filesystem::path& path, Frame& frame) {
   const auto break_time = scalars<double>(file.cell_array("break_time"), n);
   const auto energy = scalars<double>(file.cell_array("energy"), n);
   frame.cracks.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    vtkIdType count = 0;
-    const vtkIdType* ends = nullptr;
-    file.grid()->GetCellPoints(static_cast<vtkIdType>(i), count, ends);
-    if (count != 2) fail(path, "a crack is not a line of two points");
-    frame.cracks[i] = {point_of(file.grid(), ends[0]),
-                       point_of(file.grid(), ends[1]),
-                       CrackMode{mode[i]},
-                       damage[i],
-                       opening[i],
-                       slip[i],
-                       break_time[i],
-                       energy[i]};
-  }
+  for (std::size_t i = 0; i < n; ++i)
+    frame.cracks[i] = {ends[i][0], ends[i][1], CrackMode{mode[i]}, damage[i],
+                       opening[i], slip[i],    break_time[i],      energy[i]};
+}
+
+void read_contacts_vtu(const std::filesystem::path& path, Frame& frame) {
+  const VtuFile file(path);
+  const auto ends = line_ends(file);
+  const std::size_t n = ends.size();
+  const auto normal = scalars<double>(file.cell_array("normal_force"), n);
+  const auto shear = scalars<double>(file.cell_array("shear_force"), n);
+  const auto kind = scalars<int>(file.cell_array("kind"), n);
+  const auto point = vectors(file.cell_array("contact_point"), n);
+  frame.contacts.resize(n);
+  for (std::size_t i = 0; i < n; ++i)
+    frame.contacts[i] = {ends[i][0], ends[i][1], point[i], normal[i], shear[i], ContactKind{kind[i]}};
 }
 
 }  // namespace asperity::render

@@ -117,10 +117,39 @@ void add_crack_fields(vtkFieldData* data, const std::vector<CrackSegment>& crack
   add_scalars(data, "energy", n, [&](auto i) { return cracks[i].energy_n_mm; });
 }
 
+std::vector<Vec2> contact_points(const std::vector<ContactForce>& contacts) {
+  std::vector<Vec2> points;
+  for (const ContactForce& contact : contacts) points.push_back(contact.point);
+  return points;
+}
+
+void add_contact_fields(vtkFieldData* data, const std::vector<ContactForce>& contacts) {
+  const std::size_t n = contacts.size();
+  add_scalars(data, "normal_force", n, [&](auto i) { return contacts[i].normal_n; });
+  add_scalars(data, "shear_force", n, [&](auto i) { return contacts[i].shear_n; });
+  add_integers(data, "kind", n, [&](auto i) { return static_cast<int>(contacts[i].kind); });
+  add_vectors(data, "contact_point", contact_points(contacts));
+}
+
 vtkNew<vtkPoints> double_points() {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   return points;
+}
+
+/// One VTK_LINE from a to b for each.
+template <class Line>
+vtkNew<vtkUnstructuredGrid> line_grid(const std::vector<Line>& lines) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  const auto points = double_points();
+  grid->AllocateExact(id(lines.size()), id(2 * lines.size()));
+  for (const Line& line : lines) {
+    const vtkIdType ends[2] = {points->InsertNextPoint(line.a.x, line.a.y, 0),
+                               points->InsertNextPoint(line.b.x, line.b.y, 0)};
+    grid->InsertNextCell(VTK_LINE, 2, ends);
+  }
+  grid->SetPoints(points);
+  return grid;
 }
 
 std::string bytes_of(vtkUnstructuredGrid* grid) {
@@ -168,19 +197,20 @@ std::string fields_vtu(const Frame& frame) {
 }
 
 std::string cracks_vtu(const Frame& frame) {
-  vtkNew<vtkUnstructuredGrid> grid;
-  const auto points = double_points();
-  grid->AllocateExact(id(frame.cracks.size()), id(2 * frame.cracks.size()));
-  for (const CrackSegment& crack : frame.cracks) {
-    const vtkIdType ends[2] = {points->InsertNextPoint(crack.a.x, crack.a.y, 0),
-                               points->InsertNextPoint(crack.b.x, crack.b.y, 0)};
-    grid->InsertNextCell(VTK_LINE, 2, ends);
-  }
-  grid->SetPoints(points);
+  const auto grid = line_grid(frame.cracks);
   add_crack_fields(grid->GetCellData(), frame.cracks);
   add_head(grid->GetFieldData(), frame,
            {"points [mm]", "TimeValue [s]", "mode: 0 softening, 1 tension, 2 shear", "damage [-]", "opening [mm]",
             "slip [mm]", "break_time [s], -1 while softening", "energy [N mm]"});
+  return bytes_of(grid);
+}
+
+std::string contacts_vtu(const Frame& frame) {
+  const auto grid = line_grid(frame.contacts);
+  add_contact_fields(grid->GetCellData(), frame.contacts);
+  add_head(grid->GetFieldData(), frame,
+           {"points [mm], particles' centroids", "TimeValue [s]", "normal_force [N], compression positive",
+            "shear_force [N], magnitude", "kind: 0 bonded, 1 broken, 2 general", "contact_point [mm]"});
   return bytes_of(grid);
 }
 

@@ -68,6 +68,8 @@ const std::vector<Binding>& bindings() {
   using Particles = ParticleConfig;
   using Contacts = ContactConfig;
   using Law = LawConfig;
+  using General = GeneralContactConfig;
+  using Surface = SurfaceConfig;
   using Integration = IntegrationConfig;
   using Measurement = MeasurementConfig;
   using Output = OutputConfig;
@@ -122,6 +124,20 @@ const std::vector<Binding>& bindings() {
       bind<&Run::contacts, &Contacts::law, &Law::reading>("/contacts/law/reading"),
       bind<&Run::contacts, &Contacts::law, &Law::shear_peak>("/contacts/law/shear_peak"),
       bind<&Run::contacts, &Contacts::law, &Law::opening_shear_stiffness>("/contacts/law/opening_shear_stiffness"),
+      bind<&Run::contacts, &Contacts::general, &General::enabled>("/contacts/general/enabled"),
+      bind<&Run::contacts, &Contacts::general, &General::damping_ratio>("/contacts/general/damping_ratio"),
+      bind<&Run::contacts, &Contacts::general, &General::outline, &Surface::friction_angle_deg>(
+          "/contacts/general/outline/friction_angle_deg"),
+      bind<&Run::contacts, &Contacts::general, &General::outline, &Surface::normal_stiffness_mpa_per_mm>(
+          "/contacts/general/outline/normal_stiffness_mpa_per_mm"),
+      bind<&Run::contacts, &Contacts::general, &General::outline, &Surface::shear_stiffness_mpa_per_mm>(
+          "/contacts/general/outline/shear_stiffness_mpa_per_mm"),
+      bind<&Run::contacts, &Contacts::general, &General::fracture, &Surface::friction_angle_deg>(
+          "/contacts/general/fracture/friction_angle_deg"),
+      bind<&Run::contacts, &Contacts::general, &General::fracture, &Surface::normal_stiffness_mpa_per_mm>(
+          "/contacts/general/fracture/normal_stiffness_mpa_per_mm"),
+      bind<&Run::contacts, &Contacts::general, &General::fracture, &Surface::shear_stiffness_mpa_per_mm>(
+          "/contacts/general/fracture/shear_stiffness_mpa_per_mm"),
       bind<&Run::integration, &Integration::safety_factor>("/integration/safety_factor"),
       bind<&Run::integration, &Integration::time_step_s>("/integration/time_step_s"),
       bind<&Run::integration, &Integration::local_damping>("/integration/local_damping"),

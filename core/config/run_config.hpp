@@ -86,6 +86,21 @@ struct LawConfig {
   bool operator==(const LawConfig&) const = default;
 };
 
+/// One kind of surface in general contact.
+struct SurfaceConfig {
+  std::optional<double> friction_angle_deg;           ///< Unset: the contacts' phi_c.
+  std::optional<double> normal_stiffness_mpa_per_mm;  ///< Unset: k_t.
+  std::optional<double> shear_stiffness_mpa_per_mm;   ///< Unset: k_s.
+  bool operator==(const SurfaceConfig&) const = default;
+};
+
+struct GeneralContactConfig {
+  bool enabled = true;         ///< False: a broken contact touches its own pair alone, for good.
+  double damping_ratio = 0.0;  ///< Of the normal approach, over critical damping.
+  SurfaceConfig outline, fracture;
+  bool operator==(const GeneralContactConfig&) const = default;
+};
+
 struct ContactConfig {
   std::optional<double> tensile_stiffness_mpa_per_mm;  ///< k_t; unset: Eq 12 (plane stress) or 13 (plane strain).
   std::optional<double> shear_stiffness_mpa_per_mm;    ///< k_s; unset: the same equations.
@@ -94,6 +109,7 @@ struct ContactConfig {
   double friction_angle_deg = 36.5;                    ///< phi_c
   std::optional<double> fracture_energy_n_per_mm;      ///< G_f; unset: K_IC^2 / E~ (Eq 34).
   LawConfig law;
+  GeneralContactConfig general;
   bool operator==(const ContactConfig&) const = default;
 };
 
@@ -118,7 +134,7 @@ struct MeasurementConfig {
 
 struct OutputConfig {
   int frames = 24;
-  std::vector<std::string> fields{"cracks", "damage", "stress", "fragments"};
+  std::vector<std::string> fields{"cracks", "contacts", "damage", "stress", "fragments"};
   int width_px = 1600;
   int height_px = 1200;
   bool operator==(const OutputConfig&) const = default;

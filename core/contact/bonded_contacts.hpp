@@ -20,11 +20,23 @@ struct ContactEdge {
   double length;  ///< At rest, mm: the contact area per mm of thickness, twice that of one contact point.
 };
 
+/// How far a broken contact has passed over to the general contact, Eqs. (C44), (C45).
+struct HandOver {
+  double opening = 0, slip = 0;  ///< Mean separation when it broke, mm.
+  double weight = 1;             ///< Of its own pair's law; 1 until it breaks, 0 for good once it is released.
+};
+
+/// Slip or opening since breakage, over the edge length, at which a broken contact has passed over; Eq. (C44).
+inline constexpr double kHandOverRange = 0.03;
+
 /// Contact edges of a mesh and the memory of their two contact points (Gauss points at 1/2 -+ 1/(2 sqrt 3)).
 struct BondedContacts {
   std::vector<ContactEdge> edges;
   std::vector<std::array<PointState, 2>> points;
   std::vector<double> break_time;  ///< s, when the second point of an edge broke; -1 before.
+  std::vector<HandOver> hand_over;
+  double hand_over_range =
+      0;  ///< Edge lengths of slip or opening since breakage; 0: contacts keep their pair for good.
   LawParameters law;
   LawReading reading = LawReading::consistent;
 
@@ -55,9 +67,15 @@ inline constexpr double kNearGauss = 0.78867513459481287;
 inline constexpr double kFarGauss = 0.21132486540518713;
 
 /// Brings every contact to the present positions at `time` (s) and writes its forces on left1, left2, right1, right2 (N
-/// per mm of thickness), Eqs. (C17), (C18), to forces[4 edge] ... forces[4 edge + 3].
-void update_contacts(BondedContacts& contacts, const std::vector<Vec2>& position, double time,
-                     const ParallelLoops& loops, std::span<Vec2> forces);
+/// per mm of thickness), Eqs. (C17), (C18), to forces[4 edge] ... forces[4 edge + 3]. Returns how many broke or were
+/// released.
+int update_contacts(BondedContacts& contacts, const std::vector<Vec2>& position, double time,
+                    const ParallelLoops& loops, std::span<Vec2> forces);
+
+/// Adds to a contact's four forces what the change of its weight gives back or takes, Eq. (C48); `general_energy` (N mm
+/// per mm of thickness) is that of the general contacts which gain weight as it loses its own.
+void add_hand_over_force(const BondedContacts& contacts, std::size_t contact, double general_energy,
+                         const std::vector<Vec2>& position, Vec2* forces);
 
 /// Energies of all contacts, N mm per mm of thickness.
 struct ContactEnergies {

@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-constexpr const char* kMagic = "asperity checkpoint 1\n";
+constexpr const char* kMagic = "asperity checkpoint 2\n";
 constexpr std::size_t kDigest = 64;
 
 /// Appends plain values and vectors of them to a byte string.
@@ -59,6 +59,22 @@ class Reader {
   std::string_view bytes_;
 };
 
+/// Members and pairs are those of the last search, so they cannot be found again from the present state.
+template <class Archive, class General>
+void exchange_general(Archive& archive, General& general) {
+  archive(general.members);
+  archive(general.pairs);
+  archive(general.chain_contacts);
+  archive(general.handing_over);
+  archive(general.touches);
+  archive(general.travel);
+  archive(general.search_due);
+  archive(general.searches);
+  archive(general.friction_energy);
+  archive(general.damping_energy);
+  archive(general.largest_depth);
+}
+
 /// Everything that changes while a test runs, in one order for writing and reading.
 template <class Archive, class SystemType, class StateType>
 void exchange(Archive& archive, SystemType& system, StateType& state) {
@@ -71,11 +87,14 @@ void exchange(Archive& archive, SystemType& system, StateType& state) {
   archive(system.sums);
   archive(system.platens);
   archive(system.flank.pressure);
+  archive(system.flank.edges);
   archive(system.platen_shear);
   archive(system.particles.position);
   archive(system.particles.velocity);
   archive(system.contacts.points);
   archive(system.contacts.break_time);
+  archive(system.contacts.hand_over);
+  exchange_general(archive, system.general);
   archive(state.loading);
   archive(state.samples);
   archive(state.reaction_sum);

@@ -24,8 +24,11 @@ int node_of(const Particles& p, int triangle, int vertex) {
 FlankPressure find_flanks(const Mesh& mesh, const Particles& p) {
   FlankPressure flank;
   for (const MeshEdge& e : mesh_edges(mesh)) {
-    if (e.boundary != Boundary::left && e.boundary != Boundary::right) continue;
-    flank.edges.push_back({node_of(p, e.left, e.a), node_of(p, e.left, e.b)});
+    if (e.boundary == Boundary::none) continue;
+    const std::array<int, 2> nodes{node_of(p, e.left, e.a), node_of(p, e.left, e.b)};
+    const bool flank_edge = e.boundary == Boundary::left || e.boundary == Boundary::right;
+    flank.outline.push_back({nodes, e.left, !flank_edge});
+    if (flank_edge) flank.edges.push_back({nodes, 1.0});
   }
   return flank;
 }
@@ -90,6 +93,9 @@ Model build_model(const RunConfig& config, const ParallelLoops& loops) {
   System& system = model.system;
   system.particles = make_particles(model.mesh, config.particles, config.experiment.plane);
   system.contacts = make_contacts(model.mesh, system.particles, law, config.contacts.law.reading);
+  system.general =
+      make_general_contacts(model.mesh, system.contacts, system.particles, general_contact_law(config.contacts, law));
+  if (config.contacts.general.enabled) system.contacts.hand_over_range = kHandOverRange;
   system.platens = make_platens(config);
   system.platen_springs = make_platen_springs(config, model.mesh, system.particles, law.k_t);
   system.local_damping = config.integration.local_damping;

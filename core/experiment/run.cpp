@@ -72,6 +72,7 @@ bool sample_due(const Model& model, const RunState& state, std::int64_t interval
 
 void take_sample(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {
   check_state(model.system);
+  check_overlaps(model.system);
   state.samples.push_back(measure(model, state, loops));
   const Sample& sample = state.samples.back();
   check_energy(model.system, sample.energy);

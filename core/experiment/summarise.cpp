@@ -81,6 +81,16 @@ Json crack_entries(const Model& model, const Sample& last) {
           {"largest_fragment_share", fragments.area_mm2.front() / area}};
 }
 
+/// General contacts alive at the end, and the deepest overlap of the whole run.
+Json contact_entries(const Model& model) {
+  const GeneralContacts& general = model.system.general;
+  return {{"general_contacts", general.touches.size()},
+          {"broken_contacts_with_own_pair", general.handing_over.size()},
+          {"largest_overlap_mm", general.largest_depth},
+          {"largest_overlap_over_edge", general.largest_depth / model.config.particles.edge_mm},
+          {"searches", general.searches}};
+}
+
 /// Largest kinetic over stored energy between a tenth of the peak and the peak itself: how quasi-static the loading
 /// was.
 double loading_kinetic_ratio(const RunState& state, const Peak& peak) {
@@ -155,6 +165,7 @@ Summary summarise(const Model& model, const RunState& state) {
   summary.energy = energy_entries(state.samples.back().energy);
   summary.energy["kinetic_over_stored_before_peak"] = loading_kinetic_ratio(state, peak);
   summary.cracks = crack_entries(model, state.samples.back());
+  summary.contacts = contact_entries(model);
   summary.warnings = find_warnings(model, state, peak);
   return summary;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/geometry/box.hpp"
 
 namespace asperity {
 namespace {
@@ -24,19 +25,6 @@ std::vector<HalfEdge> sorted_half_edges(const Mesh& mesh) {
   const auto key = [](const HalfEdge& h) { return std::array<int, 3>{h.low, h.high, h.triangle}; };
   std::sort(halves.begin(), halves.end(), [&](const HalfEdge& a, const HalfEdge& b) { return key(a) < key(b); });
   return halves;
-}
-
-struct Box {
-  Vec2 low, high;
-};
-
-Box bounding_box(const std::vector<Vec2>& points) {
-  Box box{points.front(), points.front()};
-  for (const Vec2& p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
 }
 
 Boundary boundary_at(Vec2 a, Vec2 b, const Box& box) {

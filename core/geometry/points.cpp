@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/box.hpp"
+
 namespace asperity {
 namespace {
 
@@ -17,19 +19,6 @@ std::vector<double> random_cuts(double length, int pieces, double scatter, Rando
   const double scale = length / cuts.back();
   for (double& cut : cuts) cut *= scale;
   return cuts;
-}
-
-struct Box {
-  Vec2 low, high;
-};
-
-Box bounding_box(const std::vector<Vec2>& polygon) {
-  Box box{polygon.front(), polygon.front()};
-  for (const Vec2& p : polygon) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
 }
 
 /// Finds points nearer than the spacing. A cell is as wide as the spacing, so the 3 x 3 cells around a point suffice.

@@ -15,6 +15,9 @@ namespace {
   throw Error(ErrorKind::numerical, text);
 }
 
+/// Share of the inradius beyond which general contact no longer pushes pieces apart reliably; core/contact README, deepest overlap.
+constexpr double kDeepest = 0.75;
+
 constexpr const char* kStepHint =
     "a time step above the stable one, or a loading rate the specimen cannot follow; lower integration.safety_factor "
     "or "
@@ -38,6 +41,15 @@ void check_state(const System& system) {
              "stresses far above k_t times the edge length; check units of stiffness and confining pressure");
       }
     }
+  }
+}
+
+void check_overlaps(const System& system) {
+  const DeepestTouch deepest = deepest_touch(system.general);
+  if (deepest.share > kDeepest) {
+    stop(system, deepest.place, "a piece has pressed through three quarters of another's inradius",
+         "contact stresses far above the penalty times the edge length: raise "
+         "contacts.general.fracture.normal_stiffness_mpa_per_mm, or load more slowly");
   }
 }
 

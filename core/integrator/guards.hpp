@@ -7,6 +7,9 @@ namespace asperity {
 /// turned over, or two broken faces overlap by more than half an edge.
 void check_state(const System& system);
 
+/// Throws a numerical error where a general contact is too deep to push back.
+void check_overlaps(const System& system);
+
 /// Throws a numerical error where the kinetic energy exceeds the work done so far (plus what a literal law created).
 void check_energy(const System& system, const EnergyBalance& energy);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "core/integrator/flank.hpp"
+
 namespace asperity {
 namespace {
 
@@ -30,17 +32,6 @@ void list_slots(System& system) {
   for_each_slot(system, [&](int node, int slot) { system.slots[fill[node]++] = slot; });
 }
 
-void apply_flank_pressure(System& system) {
-  const auto& x = system.particles.position;
-  for (const auto& e : system.flank.edges) system.external_force[e[0]] = system.external_force[e[1]] = {0, 0};
-  for (const auto& e : system.flank.edges) {
-    const Vec2 along = x[e[1]] - x[e[0]];
-    const Vec2 force = (-0.5 * system.flank.pressure) * Vec2{along.y, -along.x};
-    system.external_force[e[0]] += force;
-    system.external_force[e[1]] += force;
-  }
-}
-
 /// Penalty contact of one node with the platens: force on the node; energies and reactions go to sums.
 Vec2 platen_force(System& system, std::size_t node, NodeSums& sums) {
   const Platens& platens = system.platens;
@@ -50,6 +41,7 @@ Vec2 platen_force(System& system, std::size_t node, NodeSums& sums) {
   const int side = overlap[0] > 0.0 ? 0 : 1;
   double& shear = system.platen_shear[node];
   if (overlap[side] <= 0.0) {
+    sums.platen_friction += 0.5 * shear * shear / spring.stiffness;  // what the lost contact still held
     shear = 0.0;
     return {0, 0};
   }
@@ -60,8 +52,7 @@ Vec2 platen_force(System& system, std::size_t node, NodeSums& sums) {
     const double trial = shear - spring.stiffness * system.particles.velocity[node].x * system.time_step;
     const double limit = platens.friction * normal;
     const double after = std::clamp(trial, -limit, limit);
-    const double mean = shear * after > 0.0 ? 0.5 * std::abs(shear + after) : std::abs(after);
-    sums.platen_friction += mean * std::abs(trial - after) / spring.stiffness;
+    sums.platen_friction += std::max(0.0, 0.5 * (shear + after) * (trial - after)) / spring.stiffness;
     sums.platen_energy += 0.5 * after * after / spring.stiffness;
     shear = after;
   }
@@ -91,6 +82,7 @@ void move_free_node(System& system, std::size_t node, Vec2 force, Vec2 external,
   sums.work_before += 0.5 * dt * dot(external, before);
   sums.work_after += 0.5 * dt * dot(external, v);
   sums.kinetic += 0.5 * m * dot(before, v);
+  sums.fastest = std::max(sums.fastest, dot(v, v));
 }
 
 void move_held_node(const System& system, std::size_t node, Vec2 force, Vec2 external, NodeSums& sums) {
@@ -99,6 +91,7 @@ void move_held_node(const System& system, std::size_t node, Vec2 force, Vec2 ext
   sums.work_before += half_step_work;
   sums.work_after += half_step_work;
   sums.kinetic += 0.5 * system.particles.mass[node] * dot(v, v);
+  sums.fastest = std::max(sums.fastest, dot(v, v));
 }
 
 NodeSums update_node_range(System& system, std::size_t begin, std::size_t end) {
@@ -131,6 +124,7 @@ NodeSums& NodeSums::operator+=(const NodeSums& o) {
   platen_friction += o.platen_friction;
   platen_energy += o.platen_energy;
   kinetic += o.kinetic;
+  fastest = std::max(fastest, o.fastest);
   return *this;
 }
 
@@ -151,8 +145,13 @@ void compute_forces(System& system, const ParallelLoops& loops) {
       for (std::size_t i = 0; i < 3; ++i) system.forces[3 * t + i] = force[i];
     }
   });
-  update_contacts(system.contacts, p.position, system.time, loops,
-                  std::span(system.forces).subspan(3 * p.triangle_count()));
+  const auto triangle_forces = std::span(system.forces).first(3 * p.triangle_count());
+  const auto contact_forces = std::span(system.forces).subspan(3 * p.triangle_count());
+  const int changes = update_contacts(system.contacts, p.position, system.time, loops, contact_forces);
+  update_general_contacts(system.general, system.contacts, p, system.time_step, loops, triangle_forces,
+                          contact_forces);
+  if (changes > 0) system.general.search_due = 1;
+  follow_outer_surface(system);
   apply_flank_pressure(system);
 }
 
@@ -183,6 +182,7 @@ void update_positions(System& system, const ParallelLoops& loops) {
   });
   for (int i = 0; i < 2; ++i) system.platens.y[i] += dt * system.platens.velocity[i];
   system.platens.last_velocity = system.platens.velocity;
+  system.general.travel += dt * std::sqrt(system.sums.fastest);
   system.time += dt;
   ++system.step;
 }
@@ -197,13 +197,14 @@ double elastic_energy(const Particles& particles, const ParallelLoops& loops) {
 
 EnergyBalance energy_balance(const System& system, const ParallelLoops& loops) {
   const ContactEnergies contacts = contact_energies(system.contacts, loops);
+  const GeneralContactEnergies general = general_contact_energies(system.general, loops);
   EnergyBalance e;
   e.external_work = system.external_work + system.initial_kinetic;
   e.elastic = elastic_energy(system.particles, loops);
-  e.recoverable = contacts.recoverable + system.sums.platen_energy;
+  e.recoverable = contacts.recoverable + general.normal + general.tangential + system.sums.platen_energy;
   e.fracture = contacts.fracture;
-  e.friction = contacts.friction + system.platen_friction_energy;
-  e.damping = system.damping_energy;
+  e.friction = contacts.friction + system.general.friction_energy + system.platen_friction_energy;
+  e.damping = system.damping_energy + system.general.damping_energy;
   e.kinetic = system.sums.kinetic;
   e.created_by_law = contacts.created;
   return e;

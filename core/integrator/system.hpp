@@ -5,6 +5,8 @@
 
 #include "core/base/parallel.hpp"
 #include "core/contact/bonded_contacts.hpp"
+#include "core/contact/general_contact.hpp"
+#include "core/integrator/outer_surface.hpp"
 #include "core/particles/particles.hpp"
 
 namespace asperity {
@@ -25,11 +27,11 @@ struct PlatenSpring {
   double skin = 0;
 };
 
-/// Uniform pressure (MPa) on boundary edges, following their present position. Edges run with the specimen on their
-/// left.
+/// Confining pressure (MPa) on the edges of the present outer surface.
 struct FlankPressure {
-  std::vector<std::array<int, 2>> edges;
+  std::vector<LoadedEdge> edges;
   double pressure = 0;
+  std::vector<ExposedEdge> outline;  ///< All edges of the outline at rest; never changes.
 };
 
 /// The energy account, N mm per mm of thickness; Eqs. (I7)-(I12). Every term comes from its own formula.
@@ -56,6 +58,7 @@ struct NodeSums {
   std::array<double, 2> reaction{0, 0};    ///< Force on the bottom and top platen along y, N per mm of thickness, >= 0.
   double work_before = 0, work_after = 0;  ///< External work of the half steps before and after this instant.
   double damping = 0, platen_friction = 0, platen_energy = 0, kinetic = 0;
+  double fastest = 0;  ///< Largest squared speed, mm2/s2.
   NodeSums& operator+=(const NodeSums& other);
 };
 
@@ -63,6 +66,7 @@ struct NodeSums {
 struct System {
   Particles particles;
   BondedContacts contacts;
+  GeneralContacts general;
   Platens platens;
   FlankPressure flank;
   Vec2 body_acceleration{0, 0};    ///< mm/s2, e.g. gravity.

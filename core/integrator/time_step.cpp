@@ -42,8 +42,30 @@ std::array<Vec2, 4> linear_contact(const ContactEdge& edge, const ContactFrame& 
   return {Vec2{} - end[0], Vec2{} - end[1], end[0], end[1]};
 }
 
+/// Springs to the ground that stand for what a node may meet, N/mm per mm of thickness: a platen, or another body's
+/// surface of equal mass, against which half an edge's penalty counts twice.
+std::vector<double> ground_springs(const System& system) {
+  const Particles& p = system.particles;
+  std::vector<double> springs(p.node_count(), 0.0);
+  const SurfaceTopology& topology = system.general.topology;
+  for (std::size_t edge = 0; edge < topology.joint.size(); ++edge) {
+    if (topology.joint[edge] != kOutline) continue;
+    const auto& nodes = p.triangles[edge / 3];
+    const int a = nodes[edge % 3], b = nodes[(edge % 3 + 1) % 3];
+    const SurfaceLaw& law = system.general.law.surfaces[static_cast<int>(SurfaceKind::outline)];
+    const double stiffness = std::max(law.k_n, law.k_s) * norm(p.reference[b] - p.reference[a]);
+    springs[a] += stiffness;
+    springs[b] += stiffness;
+  }
+  for (std::size_t i = 0; i < system.platen_springs.size(); ++i) {
+    springs[i] = std::max(springs[i], system.platen_springs[i].stiffness);
+  }
+  return springs;
+}
+
 /// K u, node by node.
-std::vector<Vec2> apply_stiffness(const System& system, const std::vector<Vec2>& u, const ParallelLoops& loops) {
+std::vector<Vec2> apply_stiffness(const System& system, const std::vector<double>& springs, const std::vector<Vec2>& u,
+                                  const ParallelLoops& loops) {
   const Particles& p = system.particles;
   const std::size_t triangles = p.triangle_count();
   std::vector<Vec2> forces(system.forces.size());
@@ -65,7 +87,7 @@ std::vector<Vec2> apply_stiffness(const System& system, const std::vector<Vec2>&
   std::vector<Vec2> result(u.size());
   loops.for_blocks(u.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node) {
-      Vec2 sum = system.platens.present ? system.platen_springs[node].stiffness * u[node] : Vec2{};
+      Vec2 sum = springs[node] * u[node];
       for (int i = system.slot_begin[node]; i < system.slot_begin[node + 1]; ++i) sum += forces[system.slots[i]];
       result[node] = sum;
     }
@@ -93,11 +115,10 @@ void add_row_sums(const std::array<int, N>& nodes, const Apply& apply, std::vect
   for (std::size_t i = 0; i < N; ++i) rows[nodes[i]] += std::max(sum[i].x, sum[i].y);
 }
 
-/// Gershgorin's bound of each node's stiffness: sums over its elements and its platen spring.
+/// Gershgorin's bound of each node's stiffness: sums over its elements and its spring to the ground.
 std::vector<double> gershgorin_rows(const System& system) {
   const Particles& p = system.particles;
-  std::vector<double> rows(p.node_count(), 0.0);
-  for (std::size_t i = 0; i < system.platen_springs.size(); ++i) rows[i] = system.platen_springs[i].stiffness;
+  std::vector<double> rows = ground_springs(system);
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
     add_row_sums<3>(
         p.triangles[t], [&](const auto& u) { return linear_triangle(p.shapes[t], u, p.elastic); }, rows);
@@ -115,19 +136,23 @@ std::vector<double> gershgorin_rows(const System& system) {
 
 double critical_time_step(const System& system, const ParallelLoops& loops) {
   const std::vector<double>& mass = system.particles.mass;
+  const std::vector<double> springs = ground_springs(system);
   std::vector<Vec2> u = random_start(mass.size());
   double eigenvalue = 0.0;
   for (int iteration = 0; iteration < 2000; ++iteration) {
     double size = 0.0;
     for (std::size_t i = 0; i < u.size(); ++i) size += mass[i] * dot(u[i], u[i]);
     for (Vec2& v : u) v = (1.0 / std::sqrt(size)) * v;
-    const std::vector<Vec2> ku = apply_stiffness(system, u, loops);
+    const std::vector<Vec2> ku = apply_stiffness(system, springs, u, loops);
     double rayleigh = 0.0;
     for (std::size_t i = 0; i < u.size(); ++i) rayleigh += dot(u[i], ku[i]);
     for (std::size_t i = 0; i < u.size(); ++i) u[i] = (1.0 / mass[i]) * ku[i];
     const double change = std::abs(rayleigh - eigenvalue);
     eigenvalue = rayleigh;
-    if (iteration > 20 && change < 1e-5 * eigenvalue) return 2.0 / std::sqrt(eigenvalue);
+    if (iteration > 20 && change < 1e-5 * eigenvalue) {
+      const double ratio = system.general.law.damping_ratio;
+      return 2.0 / std::sqrt(eigenvalue) * (std::sqrt(1.0 + ratio * ratio) - ratio);
+    }
   }
   throw Error(ErrorKind::numerical, "the power iteration for the stable time step did not converge in 2000 iterations");
 }

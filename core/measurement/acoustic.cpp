@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/base/units.hpp"
-#include "core/measurement/disjoint_sets.hpp"
 
 namespace asperity {
 namespace {

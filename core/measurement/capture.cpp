@@ -1,5 +1,6 @@
 #include "core/measurement/capture.hpp"
 
+#include "core/measurement/contact_forces.hpp"
 #include "core/measurement/crack_network.hpp"
 #include "core/measurement/fragments.hpp"
 
@@ -57,6 +58,10 @@ Frame capture_frame(const System& system, const RunConfig& config, std::span<con
   frame.fragment = find_fragments(system.contacts, p).of_triangle;
   frame.cracks = crack_segments(system.contacts, p);
   for (CrackSegment& crack : frame.cracks) crack.energy_n_mm *= config.experiment.thickness_mm;
+  const double thickness = config.experiment.thickness_mm;
+  frame.contacts = bonded_contact_forces(system.contacts, p, thickness);
+  const std::vector<ContactForce> general = general_contact_forces(system.general, p, thickness);
+  frame.contacts.insert(frame.contacts.end(), general.begin(), general.end());
   frame.platen_y = system.platens.y;
   for (const Sample& s : samples) {
     frame.curve.axial_strain.push_back(s.axial_strain);

@@ -31,12 +31,15 @@ CrackSegment make_segment(const BondedContacts& contacts, const Particles& p, st
   const ContactEdge& e = contacts.edges[c];
   const auto& points = contacts.points[c];
   CrackSegment segment;
-  segment.a = 0.5 * (p.position[e.left1] + p.position[e.right1]);
-  segment.b = 0.5 * (p.position[e.left2] + p.position[e.right2]);
+  const ContactFrame frame = contact_frame(e, p.position);
+  const Vec2 gap = 0.5 * (frame.gap[0] + frame.gap[1]);
+  const double aside = norm(gap) > e.length ? 0.0 : 0.5;  // once the faces have parted, the crack is the left one's
+  segment.a = p.position[e.left1] + aside * frame.gap[0];
+  segment.b = p.position[e.left2] + aside * frame.gap[1];
   segment.mode = static_cast<CrackMode>(edge_break_mode(points));
   segment.damage = edge_damage(points);
-  segment.opening_mm = 0.5 * (points[0].normal + points[1].normal);
-  segment.slip_mm = 0.5 * (points[0].shear + points[1].shear);
+  segment.opening_mm = dot(gap, frame.normal);
+  segment.slip_mm = dot(gap, frame.tangent);
   segment.break_time_s = contacts.break_time[c];
   segment.energy_n_mm = edge_fracture_energy(contacts, c);
   return segment;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/measurement/disjoint_sets.hpp"
+#include "core/base/disjoint_sets.hpp"
 
 namespace asperity {
 namespace {

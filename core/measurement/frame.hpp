@@ -21,6 +21,22 @@ struct CrackSegment {
   double energy_n_mm = 0;    ///< Fracture energy spent on it.
 };
 
+/// How the two particles of a contact hold together. The numbers are those of the VTU array `kind`.
+enum class ContactKind : int {
+  bonded = 0,   ///< The bond is not broken.
+  broken = 1,   ///< Broken; the two still touch as the pair they were.
+  general = 2,  ///< Never bonded to one another: found by the search for new contacts.
+};
+
+/// The force between two particles, in N for the specimen's thickness.
+struct ContactForce {
+  Vec2 a, b;            ///< Present centroids of the two particles, mm.
+  Vec2 point;           ///< Where they touch, mm.
+  double normal_n = 0;  ///< Normal force, compression positive; tension (negative) in bonded contacts alone.
+  double shear_n = 0;   ///< Magnitude of the shear force.
+  ContactKind kind = ContactKind::bonded;
+};
+
 /// The measured curve up to an instant; stresses compression positive, strains shortening positive.
 struct CurveHistory {
   std::vector<double> axial_strain, lateral_strain, stress_mpa;
@@ -42,6 +58,7 @@ struct Frame {
   std::vector<double> damage;                          ///< Per triangle: mean of its contacts' damage.
   std::vector<int> grain, fragment;                    ///< Per triangle; fragment 0 is the largest by area.
   std::vector<CrackSegment> cracks;
+  std::vector<ContactForce> contacts;    ///< Those that carry force.
   std::array<double, 2> platen_y{0, 0};  ///< Bottom and top platen.
   CurveHistory curve;
 };

@@ -18,7 +18,7 @@ FolderContent content_of(const std::filesystem::path& root);
 /// Removes the files a run may have written and nothing else; does not follow links. Throws Error(output).
 void clear_run_files(const std::filesystem::path& root);
 
-/// Creates fields/, cracks/, frames/, plots/ and checkpoint/. Throws Error(output).
+/// Creates fields/, cracks/, contacts/, frames/, plots/ and checkpoint/. Throws Error(output).
 void create_run_subfolders(const std::filesystem::path& root);
 
 }  // namespace asperity

@@ -61,8 +61,10 @@ class RunFolder {
   std::filesystem::path events() const { return root_ / "events.csv"; }
   std::filesystem::path field_series() const { return root_ / "fields.pvd"; }
   std::filesystem::path crack_series() const { return root_ / "cracks.pvd"; }
+  std::filesystem::path contact_series() const { return root_ / "contacts.pvd"; }
   std::filesystem::path fields() const { return root_ / "fields"; }
   std::filesystem::path cracks() const { return root_ / "cracks"; }
+  std::filesystem::path contacts() const { return root_ / "contacts"; }
   std::filesystem::path frames() const { return root_ / "frames"; }
   std::filesystem::path plots() const { return root_ / "plots"; }
   std::filesystem::path checkpoint() const { return root_ / "checkpoint"; }

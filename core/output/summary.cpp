@@ -11,8 +11,9 @@ using Json = nlohmann::ordered_json;
 }  // namespace
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
-  const Json json = {{"experiment", summary.experiment}, {"results", summary.results}, {"energy", summary.energy},
-                     {"cracks", summary.cracks},         {"cost", summary.cost},       {"warnings", summary.warnings}};
+  const Json json = {{"experiment", summary.experiment}, {"results", summary.results},   {"energy", summary.energy},
+                     {"cracks", summary.cracks},         {"contacts", summary.contacts}, {"cost", summary.cost},
+                     {"warnings", summary.warnings}};
   write_file_atomically(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
@@ -20,8 +21,8 @@ Summary read_summary(const std::filesystem::path& path) {
   const std::string text = read_file(path);
   try {
     const Json json = Json::parse(text);
-    return {json.at("experiment"), json.at("results"), json.at("energy"),
-            json.at("cracks"),     json.at("cost"),    json.at("warnings")};
+    return {json.at("experiment"), json.at("results"), json.at("energy"),  json.at("cracks"),
+            json.at("contacts"),   json.at("cost"),    json.at("warnings")};
   } catch (const nlohmann::json::exception& failure) {
     throw Error(ErrorKind::output, {{path.string(), std::string("is no summary: ") + failure.what(), "", "", ""}});
   }

@@ -12,6 +12,7 @@ struct Summary {
   nlohmann::ordered_json results = nlohmann::ordered_json::object();
   nlohmann::ordered_json energy = nlohmann::ordered_json::object();
   nlohmann::ordered_json cracks = nlohmann::ordered_json::object();
+  nlohmann::ordered_json contacts = nlohmann::ordered_json::object();
   nlohmann::ordered_json cost = nlohmann::ordered_json::object();
   std::vector<std::string> warnings;
 };
@@ -19,7 +20,7 @@ struct Summary {
 /// Replaces the file atomically, keys in the order of the struct. Throws Error(output).
 void write_summary(const std::filesystem::path& path, const Summary& summary);
 
-/// Throws Error(output) where the file is missing, no JSON, or lacks one of the six keys.
+/// Throws Error(output) where the file is missing, no JSON, or lacks one of the keys.
 Summary read_summary(const std::filesystem::path& path);
 
 }  // namespace asperity

@@ -37,7 +37,7 @@ class Interruption(support.CommandLineTest):
 
     def assert_series_whole(self, folder):
         """Every file the two .pvd name can be read, and there is at least one."""
-        for series in ("fields", "cracks"):
+        for series in ("fields", "cracks", "contacts"):
             names = [e.get("file") for e in ElementTree.parse(folder / f"{series}.pvd").iter("DataSet")]
             self.assertTrue(names)
             for name in names:
@@ -47,7 +47,7 @@ class Interruption(support.CommandLineTest):
         result = self.succeed("resume", folder, "--no-render", "--quiet")
         self.assertEqual(result.stdout.splitlines()[-1], str(folder))
         self.assertEqual(self.outcome(folder), "finished")
-        self.assert_same_bytes(folder, self.whole, [*TABLES, "fields.pvd", "cracks.pvd"])
+        self.assert_same_bytes(folder, self.whole, [*TABLES, "fields.pvd", "cracks.pvd", "contacts.pvd"])
         self.assert_same_bytes(folder, self.whole, [p.relative_to(self.whole) for p in self.whole.glob("*/*.vtu")])
 
     def interrupted(self, signal_number, name, percent=50):

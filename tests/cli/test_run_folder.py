@@ -14,7 +14,7 @@ from support import SCRATCH, SOURCE, TINY, asperity, settings
 
 FILES = [
     "config.original.json", "config.effective.json", "manifest.json", "log.txt", "summary.json",
-    "curves.csv", "energy.csv", "cracks.csv", "events.csv", "fields.pvd", "cracks.pvd",
+    "curves.csv", "energy.csv", "cracks.csv", "events.csv", "fields.pvd", "cracks.pvd", "contacts.pvd",
 ]
 PLOTS = [f"plots/{name}.{kind}" for name in ("stress_strain", "energy", "cracks") for kind in ("png", "svg")]
 TEST_COLUMNS = ["time_s", "axial_strain", "axial_stress_mpa", "reaction_bottom_n", "reaction_top_n", "external_work_n_mm"]
@@ -52,7 +52,7 @@ class RunFolder(support.CommandLineTest):
 
     def test_every_file_of_the_design_is_there_and_not_empty(self):
         frames = range(self.frame_count())
-        numbered = [f"{s}/{s}_{i:06}.vtu" for s in ("fields", "cracks") for i in frames]
+        numbered = [f"{s}/{s}_{i:06}.vtu" for s in ("fields", "cracks", "contacts") for i in frames]
         numbered += [f"frames/{field}_{i:06}.png" for field in ("cracks", "damage") for i in frames]
         for name in [*FILES, *PLOTS, *numbered]:
             self.assertGreater((self.folder / name).stat().st_size, 0, name)
@@ -60,7 +60,7 @@ class RunFolder(support.CommandLineTest):
         self.assertEqual(list(self.folder.rglob("*.tmp")), [])
 
     def test_nothing_else_is_there(self):
-        known = re.compile(r"\.asperity\.lock|report\.html|(fields|cracks|frames|plots|checkpoint)(/[a-z_]+(_\d{6})?\.(vtu|png|svg))?")
+        known = re.compile(r"\.asperity\.lock|report\.html|(fields|cracks|contacts|frames|plots|checkpoint)(/[a-z_]+(_\d{6})?\.(vtu|png|svg))?")
         for name in support.listing(self.folder):
             self.assertTrue(name in FILES or known.fullmatch(name), name)
 

@@ -18,6 +18,11 @@ CRACKS = {
     "points": {},
     "field data": ["experiment", "name", "units"],
 }
+CONTACTS = {
+    "cells": {"normal_force": 1, "shear_force": 1, "kind": 1, "contact_point": 3},
+    "points": {},
+    "field data": ["experiment", "name", "units"],
+}
 
 
 def read(path):
@@ -72,8 +77,10 @@ triangles = check_series(run, "fields", FIELDS, VTK_TRIANGLE)
 assert min(triangles) > 100, triangles
 lines = check_series(run, "cracks", CRACKS, VTK_LINE)
 assert max(lines) > 10, lines
+forces = check_series(run, "contacts", CONTACTS, VTK_LINE)
+assert max(forces) > 10, forces
 first = read(run / "fields/fields_000000.vtu")
 stress = first.GetCellData().GetArray("stress")
 names = [stress.GetComponentName(i) for i in range(6)]
 assert names == ["xx", "yy", "zz", "xy", "yz", "xz"], names
-print(f"{len(triangles)} frames, {triangles} triangles, {lines} cracks")
+print(f"{len(triangles)} frames, {triangles} triangles, {lines} cracks, {forces} contacts")

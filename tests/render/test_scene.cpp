@@ -3,6 +3,9 @@
 #include <thread>
 
 #include "core/base/error.hpp"
+#include "render/force_chains.hpp"
+#include "render/fragment_colours.hpp"
+#include "render/outline.hpp"
 #include "render/scene.hpp"
 #include "render/series.hpp"
 #include "render/style.hpp"
@@ -68,6 +71,49 @@ TEST_CASE("Cracks appear in their mode's colour beyond the legend's swatch, and 
   CHECK(no_softening.count(style::kSoftening) == none.count(style::kSoftening));
 }
 
+TEST_CASE("Contact forces appear in their kind's colour beyond the legend's swatch, and only then") {
+  const PictureOptions options = options_for(Field::contacts);
+  const Frame frame = test::synthetic_disc();
+  const test::PictureFile all = picture_of(frame, options);
+  const auto without_class = [&](ForceClass kind) {
+    Frame rest = frame;
+    std::erase_if(rest.contacts, [kind](const ContactForce& contact) { return force_class(contact) == kind; });
+    return picture_of(rest, options);
+  };
+  for (const auto& [kind, colour, pixels] : {std::tuple{ForceClass::compression, style::kCompressiveForce, 5000},
+                                             {ForceClass::tension, style::kTensileForce, 100},
+                                             {ForceClass::broken, style::kBrokenForce, 100},
+                                             {ForceClass::general, style::kGeneralForce, 100}}) {
+    CAPTURE(static_cast<int>(kind));
+    CHECK(all.count(colour) - without_class(kind).count(colour) > pixels);
+  }
+}
+
+TEST_CASE("A line is as wide as its force is large, up to the frame's 99th percentile") {
+  Frame frame = test::synthetic_disc();
+  frame.contacts.assign(1000, {{0, 0}, {1, 0}, {0.5, 0}, 10, 0, ContactKind::bonded});
+  frame.contacts[0].normal_n = -1e6;
+  View view = fit_view(frame, {0, 0, 1000, 1000});
+  const ForceScale scale = force_scale(frame, {}, view, 1);
+  CHECK(scale.largest_n == 10);
+  CHECK(scale.width(5) == 0.5 * scale.widest);
+  CHECK(scale.width(-5) == scale.width(5));
+  CHECK(scale.width(1e6) == scale.widest);
+  CHECK(scale.width(0) == scale.narrowest);
+  PictureOptions fixed;
+  fixed.value_range = Range{0, 20};
+  CHECK(force_scale(frame, fixed, view, 1).width(10) == 0.5 * scale.widest);
+}
+
+TEST_CASE("Within a run each frame has its own line widths, but forces of next to nothing stay thin") {
+  Frame frame = test::synthetic_disc();
+  frame.contacts.assign(100, {{0, 0}, {1, 0}, {0.5, 0}, 10, 0, ContactKind::bonded});
+  CHECK(range_in_run(frame, Field::contacts, Range{0, 40})->high == 10);
+  CHECK(range_in_run(frame, Field::contacts, Range{0, 4000})->high == 80);
+  CHECK(range_in_run(frame, Field::stress, Range{-3, 3})->high == 3);
+  CHECK_FALSE(range_in_run(frame, Field::cracks, std::nullopt).has_value());
+}
+
 TEST_CASE("Two drawings of one frame have the same bytes, from any thread") {
   const Frame frame = test::synthetic_rectangle();
   const fs::path folder = test::scratch("render_repeat");
@@ -99,6 +145,27 @@ TEST_CASE("Fragments are coloured by area, the largest pale") {
   CHECK(split.count(style::kFragments[1]) > 1000);
 }
 
+TEST_CASE("Of many fragments no two neighbours have one colour, and none but the largest is pale") {
+  for (Frame frame : {test::synthetic_disc(), test::synthetic_rectangle()}) {
+    for (std::size_t i = 0; i < frame.fragment.size(); ++i) frame.fragment[i] = static_cast<int>(i / 4);
+    const auto order = fragments_by_area(frame);
+    const auto colours = fragment_colours(frame, order);
+    REQUIRE(order.size() > 300);
+    int pairs = 0, alike = 0;
+    for (const auto& [t, u] : adjacent_triangles(frame)) {
+      const int a = frame.fragment[static_cast<std::size_t>(t)], b = frame.fragment[static_cast<std::size_t>(u)];
+      if (a == b) continue;
+      ++pairs;
+      alike += colours.at(a) == colours.at(b);
+    }
+    CHECK(pairs > 1000);
+    CHECK(alike == 0);
+    CHECK(colours.at(order.front().fragment) == style::kLargestFragment);
+    CHECK(std::count_if(colours.begin(), colours.end(),
+                        [](const auto& entry) { return entry.second == style::kLargestFragment; }) == 1);
+  }
+}
+
 TEST_CASE("A series is drawn from its VTU files alone, with one colour range") {
   const fs::path run = test::scratch("render_redraw");
   SeriesWriter writer(run);
@@ -118,6 +185,43 @@ TEST_CASE("A series is drawn from its VTU files alone, with one colour range") {
   const Colour high = colour_at(ColourMap::viridis, 1);
   CHECK(test::read_picture(run / "frames/shear_stress_000000.png").count(high) == 0);
   CHECK(test::read_picture(run / "frames/shear_stress_000001.png").count(high) > 100);
+}
+
+TEST_CASE("A run without a series of contacts can be drawn again, but not its contacts") {
+  const fs::path run = test::scratch("render_older_run");
+  SeriesWriter(run).write(test::synthetic_disc());
+  fs::remove_all(run / "contacts");
+  fs::remove(run / "contacts.pvd");
+  draw_series(run, {Field::damage}, {0}, {});
+  CHECK(fs::exists(run / "frames/damage_000000.png"));
+  CHECK_THROWS_WITH(draw_series(run, {Field::contacts}, {0}, {}), Catch::Contains("contacts.pvd"));
+  CHECK_FALSE(fs::exists(run / "frames/contacts_000000.png"));
+}
+
+TEST_CASE("Loose pieces are shown beside the room of the specimen, near the picture's edge, and no farther") {
+  const auto pieces = [](double shift_mm) {
+    Frame frame = test::synthetic_disc();
+    const int node = static_cast<int>(frame.position.size());
+    for (const Vec2 p : {Vec2{-27, 0}, Vec2{-26, 0}, Vec2{-26.5, 1}}) {
+      frame.position.push_back(p - Vec2{shift_mm, 0});
+      frame.displacement.push_back({-shift_mm, 0});
+      frame.velocity.push_back({});
+    }
+    frame.triangles.push_back({node, node + 1, node + 2});
+    frame.stress.push_back({});
+    frame.damage.push_back(0);
+    frame.grain.push_back(-1);
+    frame.fragment.push_back(9);
+    const Drawing drawing = draw_picture(frame, options_for(Field::fragments));
+    double left = drawing.width;
+    for (const Shape& shape : drawing.shapes)
+      if (const Triangle* triangle = std::get_if<Triangle>(&shape))
+        for (const Vec2 p : triangle->corners) left = std::min(left, p.x);
+    return left;
+  };
+  CHECK(pieces(3.5) < 36);  // the margin
+  CHECK(pieces(3.5) > 0);
+  CHECK(pieces(30) > 36);
 }
 
 TEST_CASE("Stress colours are symmetric about zero, others start from it, and single extremes do not count") {

@@ -43,6 +43,15 @@ void check_same_cracks(const std::vector<CrackSegment>& a, const std::vector<Cra
   }
 }
 
+void check_same_contacts(const std::vector<ContactForce>& a, const std::vector<ContactForce>& b) {
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const bool same = a[i].a == b[i].a && a[i].b == b[i].b && a[i].point == b[i].point &&
+                      a[i].normal_n == b[i].normal_n && a[i].shear_n == b[i].shear_n && a[i].kind == b[i].kind;
+    REQUIRE(same);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("A frame comes back from its VTU files bit for bit") {
@@ -72,14 +81,16 @@ TEST_CASE("A frame comes back from its VTU files bit for bit") {
   CHECK(read.curve.lateral_strain == written.curve.lateral_strain);
   CHECK(read.curve.stress_mpa == written.curve.stress_mpa);
   check_same_cracks(read.cracks, written.cracks);
+  check_same_contacts(read.contacts, written.contacts);
 }
 
 // render_independent_reader opens what this test leaves.
-TEST_CASE("A series lists every frame, with and without cracks or curve") {
+TEST_CASE("A series lists every frame, with and without cracks, contacts or curve") {
   const fs::path run = test::scratch("render_series");
   SeriesWriter writer(run);
   Frame intact = frame_at(0);
   intact.cracks.clear();
+  intact.contacts.clear();
   intact.curve = {};
   writer.write(intact);
   writer.write(frame_at(1.0 / 3));
@@ -87,7 +98,9 @@ TEST_CASE("A series lists every frame, with and without cracks or curve") {
   CHECK(series_times(run) == std::vector<double>{0, 1.0 / 3, 0.5});
   CHECK(read_frame(run, 0).cracks.empty());
   CHECK(read_frame(run, 0).curve.axial_strain.empty());
+  CHECK(read_frame(run, 0).contacts.empty());
   CHECK(read_frame(run, 1).cracks.size() > 100);
+  CHECK(read_frame(run, 1).contacts.size() > 1000);
   CHECK(files_in(run / "fields") == 3);
 }
 
@@ -100,6 +113,7 @@ TEST_CASE("A resumed series keeps its first frames and drops those after the che
   CHECK(second.size() == 2);
   CHECK(series_times(run) == std::vector<double>{0, 1});
   CHECK(files_in(run / "cracks") == 2);
+  CHECK(files_in(run / "contacts") == 2);
   second.write(frame_at(1.5));
   CHECK(series_times(run) == std::vector<double>{0, 1, 1.5});
   CHECK(read_frame(run, 2).time_s == 1.5);
@@ -107,11 +121,23 @@ TEST_CASE("A resumed series keeps its first frames and drops those after the che
   CHECK(kind_thrown([&] { SeriesWriter(run, 4); }) == ErrorKind::output);
 }
 
+TEST_CASE("A run without a series of contacts can be read, and not be continued") {
+  const fs::path run = test::scratch("render_no_contacts");
+  SeriesWriter(run).write(frame_at(0));
+  fs::remove_all(run / "contacts");
+  CHECK(kind_thrown([&] { read_frame(run, 0); }) == ErrorKind::output);
+  fs::remove(run / "contacts.pvd");
+  CHECK(read_frame(run, 0).cracks.size() > 100);
+  CHECK(read_frame(run, 0).contacts.empty());
+  CHECK(kind_thrown([&] { SeriesWriter(run, 1); }) == ErrorKind::output);
+}
+
 TEST_CASE("The same frame gives the same bytes") {
   const fs::path a = test::scratch("render_same_a"), b = test::scratch("render_same_b");
   SeriesWriter(a).write(frame_at(1));
   SeriesWriter(b).write(frame_at(1));
-  for (const char* file : {"fields/fields_000000.vtu", "cracks/cracks_000000.vtu", "fields.pvd"})
+  for (const char* file :
+       {"fields/fields_000000.vtu", "cracks/cracks_000000.vtu", "contacts/contacts_000000.vtu", "contacts.pvd"})
     CHECK(test::file_bytes(a / file) == test::file_bytes(b / file));
 }
 

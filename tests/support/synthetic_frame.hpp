@@ -94,6 +94,39 @@ inline void add_fields(Frame& frame, const CrackLine& line, SyntheticSize size) 
   }
 }
 
+/// Pairs of triangles with a common edge.
+inline std::vector<std::array<std::size_t, 2>> touching_pairs(const Frame& frame) {
+  std::map<std::pair<long, long>, std::size_t> first;
+  std::vector<std::array<std::size_t, 2>> pairs;
+  for (std::size_t i = 0; i < frame.triangles.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Vec2 twice = frame.position[static_cast<std::size_t>(frame.triangles[i][c])] +
+                         frame.position[static_cast<std::size_t>(frame.triangles[i][(c + 1) % 3])];
+      const auto [entry, is_new] = first.try_emplace({std::lround(1e3 * twice.x), std::lround(1e3 * twice.y)}, i);
+      if (!is_new) pairs.push_back({entry->second, i});
+    }
+  return pairs;
+}
+
+/// Compression along y and tension across it, as large as the made-up stress is where the two touch; those over the
+/// main crack are broken, or new where x > 0.
+inline void add_contacts(Frame& frame, const std::vector<std::array<std::size_t, 2>>& pairs) {
+  for (const auto& [i, j] : pairs) {
+    ContactForce contact;
+    contact.a = centre_of(frame, i);
+    contact.b = centre_of(frame, j);
+    contact.point = 0.5 * (contact.a + contact.b);
+    const Vec2 along = (1 / norm(contact.b - contact.a)) * (contact.b - contact.a);
+    contact.normal_n = -2 * (along.x * along.x * frame.stress[i][0] + along.y * along.y * frame.stress[i][1]);
+    contact.shear_n = 0.3 * std::abs(contact.normal_n);
+    if (frame.fragment[i] != frame.fragment[j]) {
+      contact.normal_n = std::abs(contact.normal_n);
+      contact.kind = contact.point.x > 0 ? ContactKind::general : ContactKind::broken;
+    }
+    frame.contacts.push_back(contact);
+  }
+}
+
 /// The halves move 0.4 mm apart, and the ends 0.3 mm towards one another.
 inline void move_apart(Frame& frame, double height_mm) {
   for (std::size_t i = 0; i < frame.triangles.size(); ++i)
@@ -120,7 +153,9 @@ inline void add_curve(Frame& frame, double peak_mpa) {
 inline Frame finish(Frame frame, SyntheticSize size, const CrackLine& line, double peak_mpa) {
   add_fields(frame, line, size);
   add_cracks(frame, line, size.height_mm);
+  const auto pairs = touching_pairs(frame);
   move_apart(frame, size.height_mm);
+  add_contacts(frame, pairs);
   add_curve(frame, peak_mpa);
   frame.platen_y = {-0.5 * size.height_mm + 0.3, 0.5 * size.height_mm - 0.3};
   frame.time_s = 1.2345e-3;

@@ -135,7 +135,7 @@ TEST_CASE("Uniform pressure on all sides gives hydrostatic stress") {
                          [&](int n) { return system.particles.vertex[static_cast<std::size_t>(n)] == vertex; });
   };
   for (const MeshEdge& e : mesh_edges(mesh)) {
-    if (e.right < 0) system.flank.edges.push_back({node_of(e.left, e.a), node_of(e.left, e.b)});
+    if (e.right < 0) system.flank.edges.push_back({{node_of(e.left, e.a), node_of(e.left, e.b)}, 1.0});
   }
   const double pressure = system.flank.pressure = 1.0;
   system.local_damping = 0.7;

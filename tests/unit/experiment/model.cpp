@@ -74,9 +74,10 @@ TEST_CASE("a disc has neither flanks nor gauges") {
 TEST_CASE("the flanks are both sides in full, each edge with the specimen on its left") {
   const Model model = small_model(small_config(ExperimentType::uniaxial));
   double left = 0.0, right = 0.0;
-  for (const auto& [a, b] : model.system.flank.edges) {
-    const Vec2 p = model.system.particles.reference[a];
-    const Vec2 q = model.system.particles.reference[b];
+  for (const LoadedEdge& edge : model.system.flank.edges) {
+    const Vec2 p = model.system.particles.reference[edge.nodes[0]];
+    const Vec2 q = model.system.particles.reference[edge.nodes[1]];
+    CHECK(edge.share == 1.0);
     CHECK(p.x == q.x);
     CHECK(std::abs(p.x) == 13.5);
     (p.x < 0 ? left : right) += q.y - p.y;

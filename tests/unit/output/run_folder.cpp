@@ -63,7 +63,7 @@ TEST_CASE("a folder that is absent or empty is used, with its parents") {
   CHECK(folder.decision().use == FolderUse::create);
   CHECK_FALSE(folder.reused());
   for (const fs::path& path :
-       {folder.fields(), folder.cracks(), folder.frames(), folder.plots(), folder.checkpoint()}) {
+       {folder.fields(), folder.cracks(), folder.contacts(), folder.frames(), folder.plots(), folder.checkpoint()}) {
     CHECK(fs::is_directory(path));
   }
 }
@@ -190,6 +190,8 @@ TEST_CASE("a path that is a file, and a folder that cannot be made, are output e
 
 TEST_CASE("files of a run are known by their exact names") {
   CHECK(is_run_file("frames/cracks_000012.png"));
+  CHECK(is_run_file("contacts/contacts_000012.vtu"));
+  CHECK(is_run_file("contacts.pvd"));
   CHECK(is_run_file("plots/stress_strain.svg"));
   CHECK(is_run_file("fields.pvd.tmp"));
   CHECK_FALSE(is_run_file("frames/cracks_12.png"));

@@ -1,0 +1,235 @@
+#include "core/contact/general_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.hpp"
+#include "core/contact/pair_weight.hpp"
+#include "core/contact/touch_entry.hpp"
+#include "core/contact/touch_force.hpp"
+
+namespace asperity {
+namespace {
+
+/// Eqs. (C40), (C42): the parts of both triangles' edges inside each other; false where they do not overlap.
+bool overlap(const PresentTriangle& a, const PresentTriangle& b, double stiffening, std::array<EdgePart, 6>& parts) {
+  DepthTable b_in_a, a_in_b;
+  if (!depth_table(a, b.x, b_in_a) || !depth_table(b, a.x, a_in_b)) return false;
+  double inside = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    parts[k] = edge_part(a_in_b, k, stiffening);
+    parts[3 + k] = edge_part(b_in_a, k, stiffening);
+    inside += parts[k].m0 + parts[3 + k].m0;
+  }
+  return inside > 0.0;
+}
+
+/// The touching ones among pairs [begin, end), in order.
+std::vector<Touch> find_touches(const GeneralContacts& general, const BondedContacts& bonded, std::size_t begin,
+                                std::size_t end) {
+  std::vector<Touch> found;
+  for (std::size_t p = begin; p < end; ++p) {
+    const MemberPair& pair = general.pairs[p];
+    const double weight = pair_weight(general, bonded, pair);
+    if (weight <= 0.0) continue;
+    Touch touch;
+    if (!overlap(general.frames[pair.a], general.frames[pair.b], general.stiffening, touch.parts)) continue;
+    touch.pair = static_cast<int>(p);
+    touch.weight = weight;
+    touch.handing_over = pair.chain_size[0] + pair.chain_size[1] > 0;
+    found.push_back(touch);
+  }
+  return found;
+}
+
+std::vector<Touch> find_touches(const GeneralContacts& general, const BondedContacts& bonded,
+                                const ParallelLoops& loops) {
+  std::vector<std::vector<Touch>> blocks((general.pairs.size() + ParallelLoops::kBlock - 1) / ParallelLoops::kBlock);
+  loops.for_blocks(general.pairs.size(), [&](std::size_t begin, std::size_t end) {
+    blocks[begin / ParallelLoops::kBlock] = find_touches(general, bonded, begin, end);
+  });
+  if (blocks.size() == 1) return std::move(blocks[0]);
+  std::vector<Touch> all;
+  for (const auto& block : blocks) all.insert(all.end(), block.begin(), block.end());
+  return all;
+}
+
+/// Takes over the memory of the touches that go on, and enters all changes of length in the ledger. Returns the touches
+/// that ended.
+std::vector<Touch> inherit(GeneralContacts& general, std::vector<Touch>& touches, SlipLedger& ledger) {
+  std::vector<std::uint8_t> goes_on(general.touches.size(), 0);
+  for (Touch& touch : touches) {
+    const MemberPair& pair = general.pairs[touch.pair];
+    if (pair.touch < 0) {
+      fix_penalties(general, touch);
+    } else {
+      const Touch& old = general.touches[pair.touch];
+      goes_on[pair.touch] = 1;
+      touch.friction = old.friction;
+      touch.k_n = old.k_n;
+      touch.k_s = old.k_s;
+    }
+    for (int i = 0; i < 6; ++i) {
+      const Entry entry = entry_of(pair, i);
+      if (!is_exposed(general, entry)) continue;
+      const double to = effective_length(general, touch, entry, i);
+      ledger.change(entry.edge(), touch.friction[i].length, to, touch.friction[i].slip);
+    }
+  }
+  std::vector<Touch> ended;
+  for (std::size_t t = 0; t < general.touches.size(); ++t) {
+    const Touch& old = general.touches[t];
+    general.pairs[old.pair].touch = -1;
+    if (goes_on[t]) continue;
+    ended.push_back(old);
+    for (int i = 0; i < 6; ++i) {
+      const EdgeFriction& f = old.friction[i];
+      if (f.length > 0.0) ledger.change(entry_of(general.pairs[old.pair], i).edge(), f.length, 0.0, f.slip);
+    }
+  }
+  return ended;
+}
+
+/// Potential of a pair at weight 1, Eq. (C42).
+double pair_potential(const GeneralContacts& general, const Touch& touch) {
+  const MemberPair& pair = general.pairs[touch.pair];
+  const PresentTriangle &a = general.frames[pair.a], &b = general.frames[pair.b];
+  return 0.5 * touch.k_n *
+         (overlap_potential(a, b.x, general.stiffening) + overlap_potential(b, a.x, general.stiffening));
+}
+
+void add_forces(const GeneralContacts& general, const std::vector<PairForces>& forces,
+                std::span<Vec2> triangle_forces) {
+  for (std::size_t t = 0; t < general.touches.size(); ++t) {
+    const MemberPair& pair = general.pairs[general.touches[t].pair];
+    Vec2* a = &triangle_forces[3 * general.members[pair.a].triangle];
+    Vec2* b = &triangle_forces[3 * general.members[pair.b].triangle];
+    for (int i = 0; i < 3; ++i) {
+      a[i] += forces[t][i];
+      b[i] += forces[t][3 + i];
+    }
+  }
+}
+
+/// Eq. (C48) for every bonded contact that is handing over.
+void hand_over(const GeneralContacts& general, const BondedContacts& bonded, const Particles& particles,
+               std::span<Vec2> bonded_forces) {
+  std::vector<double> gained(general.handing_over.empty() ? 0 : bonded.size(), 0.0);
+  for (const Touch& touch : general.touches) {
+    if (!touch.handing_over) continue;
+    share_potential(general, bonded, general.pairs[touch.pair], pair_potential(general, touch), gained);
+  }
+  for (int c : general.handing_over) {
+    if (bonded.hand_over[c].weight == 0.0) continue;
+    add_hand_over_force(bonded, c, gained[c], particles.position, &bonded_forces[4 * c]);
+  }
+}
+
+}  // namespace
+
+GeneralContactLaw general_contact_law(const ContactConfig& config, const LawParameters& law) {
+  const auto surface = [&](const SurfaceConfig& s) -> SurfaceLaw {
+    const double tan_phi = s.friction_angle_deg ? std::tan(*s.friction_angle_deg * units::kRadPerDeg) : law.tan_phi;
+    return {tan_phi, s.normal_stiffness_mpa_per_mm.value_or(law.k_t), s.shear_stiffness_mpa_per_mm.value_or(law.k_s)};
+  };
+  return {config.general.enabled,
+          {surface(config.general.outline), surface(config.general.fracture)},
+          config.general.damping_ratio};
+}
+
+void update_frames(GeneralContacts& general, const Particles& particles, const ParallelLoops& loops) {
+  general.frames.resize(general.members.size());
+  loops.for_blocks(general.members.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t m = begin; m < end; ++m) {
+      const int t = general.members[m].triangle;
+      general.frames[m] = present_triangle(particles.shapes[t], particles.corners(t));
+    }
+  });
+}
+
+void update_general_contacts(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles,
+                             double time_step, const ParallelLoops& loops, std::span<Vec2> triangle_forces,
+                             std::span<Vec2> bonded_forces) {
+  if (!general.law.enabled) return;
+  if (general.search_due || general.travel > 0.5 * general.skin) search_pairs(general, bonded, particles, loops);
+  if (general.pairs.empty()) return;
+  update_frames(general, particles, loops);
+  std::vector<Touch> touches = find_touches(general, bonded, loops);
+  if (!touches.empty() || !general.touches.empty()) {
+    SlipLedger ledger(3 * general.members.size());
+    std::vector<Touch> ended = inherit(general, touches, ledger);
+    ledger.settle(general);
+    general.touches = std::move(touches);
+    for (std::size_t t = 0; t < general.touches.size(); ++t) {
+      general.pairs[general.touches[t].pair].touch = static_cast<int>(t);
+    }
+    std::vector<PairForces> forces(general.touches.size());
+    const TouchContext context{general, particles, ledger, time_step};
+    StepLosses losses = loops.sum_blocks<StepLosses>(general.touches.size(), [&](std::size_t begin, std::size_t end) {
+      StepLosses sum;
+      for (std::size_t t = begin; t < end; ++t) forces[t] = touch_force(context, general.touches[t], sum);
+      return sum;
+    });
+    for (Touch& touch : ended) end_touch(context, touch, losses);
+    general.friction_energy += losses.friction;
+    general.damping_energy += losses.damping;
+    general.largest_depth = std::max(general.largest_depth, losses.deepest);
+    add_forces(general, forces, triangle_forces);
+  }
+  hand_over(general, bonded, particles, bonded_forces);
+}
+
+GeneralContactEnergies general_contact_energies(const GeneralContacts& general, const ParallelLoops& loops) {
+  return loops.sum_blocks<GeneralContactEnergies>(general.touches.size(), [&](std::size_t begin, std::size_t end) {
+    GeneralContactEnergies sum;
+    for (std::size_t t = begin; t < end; ++t) {
+      const Touch& touch = general.touches[t];
+      sum.normal += touch.weight * pair_potential(general, touch);
+      for (const EdgeFriction& f : touch.friction) sum.tangential += 0.25 * touch.k_s * f.length * f.slip * f.slip;
+    }
+    return sum;
+  });
+}
+
+DeepestTouch deepest_touch(const GeneralContacts& general) {
+  DeepestTouch deepest;
+  for (const Touch& touch : general.touches) {
+    for (int i = 0; i < 6; ++i) {
+      const Entry entry = entry_of(general.pairs[touch.pair], i);
+      if (!is_exposed(general, entry)) continue;
+      const auto& h = general.frames[entry.other].height;
+      const double inradius = 1.0 / (1.0 / h[0] + 1.0 / h[1] + 1.0 / h[2]);
+      const double share = touch.parts[i].deepest / inradius;
+      if (share > deepest.share) deepest = {share, general.frames[entry.own].x[entry.k]};
+    }
+  }
+  return deepest;
+}
+
+std::vector<TouchForce> touch_forces(const GeneralContacts& general) {
+  std::vector<TouchForce> result;
+  for (const Touch& touch : general.touches) {
+    const MemberPair& pair = general.pairs[touch.pair];
+    Vec2 normal, shear, moment;
+    double weight = 0.0;
+    for (int i = 0; i < 6; ++i) {
+      const EdgePart& part = touch.parts[i];
+      if (part.m0 <= 0.0) continue;
+      const Entry entry = entry_of(pair, i);
+      const PresentTriangle &own = general.frames[entry.own], &other = general.frames[entry.other];
+      const TouchPoint point = touch_point(own, other, entry.k, part);
+      const double force =
+          0.5 * touch.weight * touch.k_n * other.inverse_jacobian * edge_length(own, entry.k) * part.m0;
+      const double sign = i < 3 ? 1.0 : -1.0;
+      normal += (sign * force) * point.normal();
+      shear += (sign * 0.5 * touch.k_s * touch.friction[i].length * touch.friction[i].slip) * point.tangent;
+      moment += force * position_on_edge(own, entry.k, point.s);
+      weight += force;
+    }
+    result.push_back({general.members[pair.a].triangle, general.members[pair.b].triangle, (1.0 / weight) * moment,
+                      norm(normal), norm(shear)});
+  }
+  return result;
+}
+
+}  // namespace asperity

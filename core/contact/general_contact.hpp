@@ -1,0 +1,145 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/parallel.hpp"
+#include "core/contact/bonded_contacts.hpp"
+#include "core/contact/overlap.hpp"
+#include "core/contact/surface_topology.hpp"
+#include "core/particles/particles.hpp"
+
+/// General contact: every exposed edge may touch any other. Eqs. (C40)-(C52) of core/contact/README.md.
+namespace asperity {
+
+/// What an exposed edge is made of.
+enum class SurfaceKind : std::uint8_t { outline = 0, fracture = 1 };
+inline constexpr std::size_t kSurfaceKinds = 2;
+
+/// Friction and penalty of one kind of surface.
+struct SurfaceLaw {
+  double tan_phi = 0;
+  double k_n = 0, k_s = 0;  ///< Normal and tangential penalty, MPa/mm.
+};
+
+struct GeneralContactLaw {
+  bool enabled = false;
+  std::array<SurfaceLaw, kSurfaceKinds> surfaces;
+  double damping_ratio = 0;  ///< Of critical damping, on the normal approach; Eq. (C50).
+};
+
+/// What a config says about surfaces, on top of the contacts' own law; on breakage their friction goes on unchanged
+/// unless the config says otherwise.
+GeneralContactLaw general_contact_law(const ContactConfig& config, const LawParameters& law);
+
+/// A triangle with at least one exposed vertex: it may touch others.
+struct ContactMember {
+  int triangle;
+  std::array<int, 3> surface;         ///< SurfaceKind of each edge, -1 where it is not exposed.
+  std::array<int, 3> next, previous;  ///< Exposed edges (3 member + k) that go on along the surface; -1: none.
+};
+
+/// Two members within reach of each other, and the two chains of handing-over bonded contacts that still join them
+/// around a common vertex: they set the weight of their contact, Eq. (C46).
+struct MemberPair {
+  int a, b;  ///< Member indices, a < b.
+  int chain_begin = 0;
+  std::array<int, 2> chain_size{0, 0};
+  int touch = -1;  ///< Index of their touch, -1 while apart.
+};
+
+/// Where the forces of an edge inside another triangle act: on the edge at s (0 to 1), on the other triangle with the
+/// shape functions `share`.
+struct TouchPoint {
+  double s = 0;
+  std::array<double, 3> share{};
+  Vec2 tangent;  ///< Along the edge; turned by -90 degrees it points out of its triangle.
+
+  Vec2 normal() const { return {tangent.y, -tangent.x}; }
+};
+
+/// Memory of one exposed edge inside another triangle, at the last update.
+struct EdgeFriction {
+  double length = 0;   ///< Effective length of contact, Eq. (C47), mm.
+  double slip = 0;     ///< Elastic tangential displacement, mm.
+  double damping = 0;  ///< Viscous normal force, N per mm of thickness.
+  TouchPoint point;
+};
+
+/// Two triangles that overlap. Entries 0-2: edges of a inside b; 3-5: edges of b inside a.
+struct Touch {
+  int pair;
+  int handing_over = 0;  ///< 1 where bonded contacts still share the pair, weight < 1.
+  double weight = 1;
+  double k_n = 0, k_s = 0;  ///< Penalties of the two surfaces together, fixed at first touch, MPa/mm.
+  std::array<EdgePart, 6> parts;
+  std::array<EdgeFriction, 6> friction;
+};
+
+/// Members, pairs within reach, and the contacts alive. Everything up to `largest_depth` is the state of a run.
+struct GeneralContacts {
+  GeneralContactLaw law;
+  SurfaceTopology topology;
+  double skin = 0;        ///< mm: pairs nearer than this are on the list.
+  double stiffening = 0;  ///< 1/mm2, Eq. (C40).
+
+  std::vector<ContactMember> members;
+  std::vector<MemberPair> pairs;
+  std::vector<int> chain_contacts;
+  std::vector<int> handing_over;  ///< Bonded contacts broken and not yet released.
+  std::vector<Touch> touches;
+  double travel = 0;  ///< mm: bound of what any node has moved since the last search.
+  std::uint8_t search_due = 1;
+  std::int64_t searches = 0;
+  double friction_energy = 0, damping_energy = 0;  ///< N mm per mm of thickness, up to now.
+  double largest_depth = 0;                        ///< Of any contact ever, mm.
+
+  std::vector<PresentTriangle> frames;  ///< Of the members, at the last update.
+};
+
+/// General contacts of a mesh; the skin is a fifth of the mean edge.
+GeneralContacts make_general_contacts(const Mesh& mesh, const BondedContacts& contacts, const Particles& particles,
+                                      const GeneralContactLaw& law);
+
+/// The members' triangles at the present positions.
+void update_frames(GeneralContacts& general, const Particles& particles, const ParallelLoops& loops);
+
+/// Lists members and pairs within reach at the present positions, and carries the live touches over.
+void search_pairs(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles,
+                  const ParallelLoops& loops);
+
+/// Forces of all touching pairs at the present positions, added to those of the triangles' corners
+/// (forces[3 t + i], N per mm of thickness); friction follows the last step's displacements, velocity times time_step
+/// (s). Call after update_contacts; hand-over forces are added to bonded_forces (four an edge).
+void update_general_contacts(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles,
+                             double time_step, const ParallelLoops& loops, std::span<Vec2> triangle_forces,
+                             std::span<Vec2> bonded_forces);
+
+/// Energies stored in the contacts alive at the last update, N mm per mm of thickness: Eqs. (C42), (C49).
+struct GeneralContactEnergies {
+  double normal = 0, tangential = 0;
+  GeneralContactEnergies& operator+=(const GeneralContactEnergies& o) {
+    normal += o.normal;
+    tangential += o.tangential;
+    return *this;
+  }
+};
+GeneralContactEnergies general_contact_energies(const GeneralContacts& general, const ParallelLoops& loops);
+
+/// The contact alive that is deepest over the inradius of the triangle it reaches into, Eq. (C52); share 0: none.
+struct DeepestTouch {
+  double share = 0;
+  Vec2 place;  ///< mm
+};
+DeepestTouch deepest_touch(const GeneralContacts& general);
+
+/// One contact alive, for pictures: N per mm of thickness.
+struct TouchForce {
+  int triangle_a, triangle_b;
+  Vec2 point;            ///< mm
+  double normal, shear;  ///< Normal force >= 0, and the magnitude of the tangential one.
+};
+std::vector<TouchForce> touch_forces(const GeneralContacts& general);
+
+}  // namespace asperity

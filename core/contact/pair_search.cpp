@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/general_contact.hpp"
+#include "core/geometry/near_boxes.hpp"
+
+namespace asperity {
+namespace {
+
+/// The skin over the mean edge: wide enough that searches are rare, narrow enough that few pairs are listed in vain.
+constexpr double kSkin = 0.2;
+
+/// Depth over the mean edge at which the penalty has doubled, Eq. (C40): five times what faces under the plaster's
+/// strength overlap, so that flat contacts stay linear while a corner, whose contact is short, cannot sink in.
+constexpr double kStiffeningDepth = 0.02;
+
+bool exposed(const SurfaceTopology& topology, const BondedContacts& bonded, int edge) {
+  const int joint = topology.joint[edge];
+  return joint == kOutline || (joint >= 0 && bonded.break_time[joint] >= 0.0);
+}
+
+std::vector<std::uint8_t> exposed_vertices(const SurfaceTopology& topology, const BondedContacts& bonded) {
+  std::vector<std::uint8_t> marked(topology.fan_begin.size() - 1, 0);
+  for (std::size_t t = 0; t < topology.vertex.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      if (!exposed(topology, bonded, static_cast<int>(3 * t) + k)) continue;
+      marked[topology.vertex[t][k]] = marked[topology.vertex[t][(k + 1) % 3]] = 1;
+    }
+  }
+  return marked;
+}
+
+std::vector<ContactMember> find_members(const SurfaceTopology& topology, const BondedContacts& bonded) {
+  const std::vector<std::uint8_t> marked = exposed_vertices(topology, bonded);
+  std::vector<ContactMember> members;
+  for (int t = 0; t < static_cast<int>(topology.vertex.size()); ++t) {
+    const auto& v = topology.vertex[t];
+    if (!marked[v[0]] && !marked[v[1]] && !marked[v[2]]) continue;
+    ContactMember member{t, {-1, -1, -1}, {-1, -1, -1}, {-1, -1, -1}};
+    for (int k = 0; k < 3; ++k) {
+      if (!exposed(topology, bonded, 3 * t + k)) continue;
+      const bool outline = topology.joint[3 * t + k] == kOutline;
+      member.surface[k] = static_cast<int>(outline ? SurfaceKind::outline : SurfaceKind::fracture);
+    }
+    members.push_back(member);
+  }
+  return members;
+}
+
+/// The exposed edge that goes on where an exposed edge ends: round the end's vertex until the material stops.
+int next_exposed(const SurfaceTopology& topology, const BondedContacts& bonded, int edge) {
+  int candidate = 3 * (edge / 3) + (edge % 3 + 1) % 3;
+  while (!exposed(topology, bonded, candidate)) {
+    const int beyond = topology.partner[candidate];
+    candidate = 3 * (beyond / 3) + (beyond % 3 + 1) % 3;
+  }
+  return candidate;
+}
+
+void link_surface(GeneralContacts& general, const BondedContacts& bonded) {
+  std::vector<int> member_of(general.topology.vertex.size(), -1);
+  for (std::size_t m = 0; m < general.members.size(); ++m) member_of[general.members[m].triangle] = static_cast<int>(m);
+  for (std::size_t m = 0; m < general.members.size(); ++m) {
+    ContactMember& member = general.members[m];
+    for (int k = 0; k < 3; ++k) {
+      if (member.surface[k] < 0) continue;
+      const int next = next_exposed(general.topology, bonded, 3 * member.triangle + k);
+      member.next[k] = 3 * member_of[next / 3] + next % 3;
+      general.members[member_of[next / 3]].previous[next % 3] = static_cast<int>(3 * m) + k;
+    }
+  }
+}
+
+std::vector<Box> reach(const GeneralContacts& general, const Particles& particles) {
+  std::vector<Box> boxes;
+  boxes.reserve(general.members.size());
+  const Vec2 half{0.5 * general.skin, 0.5 * general.skin};
+  for (const ContactMember& member : general.members) {
+    const Box box = bounding_box(particles.corners(member.triangle));
+    boxes.push_back({box.low - half, box.high + half});
+  }
+  return boxes;
+}
+
+/// Whether one edge of `in` keeps all corners of the other triangle farther away than the skin.
+bool apart(const PresentTriangle& in, const PresentTriangle& other, double skin) {
+  for (int k = 0; k < 3; ++k) {
+    const double reach = -skin * norm(in.gradient[k]);
+    if (in.depth(k, other.x[0]) < reach && in.depth(k, other.x[1]) < reach && in.depth(k, other.x[2]) < reach) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// How a chain of joints holds two triangles together.
+enum class Chain { intact, handing_over, cut };
+
+/// Appends the chain's broken contacts to `list` if it is handing over.
+template <class JointAt>
+Chain follow_chain(const BondedContacts& bonded, int count, const JointAt& joint_at, std::vector<int>& list) {
+  const std::size_t before = list.size();
+  for (int i = 0; i < count; ++i) {
+    const int joint = joint_at(i);
+    const bool gone = joint == kOutline || (joint >= 0 && bonded.hand_over[joint].weight == 0.0);
+    if (gone) {
+      list.resize(before);
+      return Chain::cut;
+    }
+    if (joint >= 0 && bonded.break_time[joint] >= 0.0) list.push_back(joint);
+  }
+  return list.size() > before ? Chain::handing_over : Chain::intact;
+}
+
+/// Fills the pair's chains; false where an intact chain holds the two together.
+class ChainFinder {
+ public:
+  ChainFinder(const SurfaceTopology& topology, const BondedContacts& bonded, std::vector<int>& list)
+      : topology_(topology), bonded_(bonded), list_(list) {}
+
+  bool operator()(int triangle_a, int triangle_b, MemberPair& pair) {
+    pair.chain_begin = static_cast<int>(list_.size());
+    for (int k = 0; k < 3; ++k) {
+      const int partner = topology_.partner[3 * triangle_a + k];
+      if (partner < 0 || partner / 3 != triangle_b) continue;
+      const int joint = topology_.joint[3 * triangle_a + k];
+      return add(pair, 0, 1, [joint](int) { return joint; });
+    }
+    for (int vertex : topology_.vertex[triangle_a]) {
+      const int a = place_in_fan(vertex, triangle_a), b = place_in_fan(vertex, triangle_b);
+      if (b < 0) continue;
+      const int begin = topology_.fan_begin[vertex], size = topology_.fan_begin[vertex + 1] - begin;
+      const int low = std::min(a, b), high = std::max(a, b);
+      const auto joint_from = [&](int start) {
+        return [this, begin, size, start](int i) { return topology_.fan[begin + (start + i) % size].joint; };
+      };
+      return add(pair, 0, high - low, joint_from(low)) && add(pair, 1, size - (high - low), joint_from(high));
+    }
+    return true;
+  }
+
+ private:
+  template <class JointAt>
+  bool add(MemberPair& pair, int which, int count, const JointAt& joint_at) {
+    const std::size_t before = list_.size();
+    const Chain chain = follow_chain(bonded_, count, joint_at, list_);
+    pair.chain_size[which] = static_cast<int>(list_.size() - before);
+    return chain != Chain::intact;
+  }
+
+  int place_in_fan(int vertex, int triangle) const {
+    const int begin = topology_.fan_begin[vertex], end = topology_.fan_begin[vertex + 1];
+    for (int i = begin; i < end; ++i) {
+      if (topology_.fan[i].triangle == triangle) return i - begin;
+    }
+    return -1;
+  }
+
+  const SurfaceTopology& topology_;
+  const BondedContacts& bonded_;
+  std::vector<int>& list_;
+};
+
+void list_pairs(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles) {
+  general.chain_contacts.clear();
+  ChainFinder find_chains(general.topology, bonded, general.chain_contacts);
+  for (const auto& [a, b] : near_boxes(reach(general, particles))) {
+    const PresentTriangle &ta = general.frames[a], &tb = general.frames[b];
+    if (apart(ta, tb, general.skin) || apart(tb, ta, general.skin)) continue;
+    MemberPair pair{a, b};
+    if (find_chains(general.members[a].triangle, general.members[b].triangle, pair)) {
+      general.pairs.push_back(pair);
+    } else {
+      general.chain_contacts.resize(pair.chain_begin);
+    }
+  }
+}
+
+/// Gives the live touches to the pairs of the new list; both lists are sorted by triangles.
+void carry_touches(GeneralContacts& general, const std::vector<std::array<int, 2>>& triangles_of_touch) {
+  const auto triangles = [&](const MemberPair& pair) {
+    return std::array{general.members[pair.a].triangle, general.members[pair.b].triangle};
+  };
+  std::size_t p = 0;
+  std::vector<Touch> kept;
+  for (std::size_t i = 0; i < general.touches.size(); ++i) {
+    while (p < general.pairs.size() && triangles(general.pairs[p]) < triangles_of_touch[i]) ++p;
+    if (p == general.pairs.size() || triangles(general.pairs[p]) != triangles_of_touch[i]) continue;
+    general.pairs[p].touch = static_cast<int>(kept.size());
+    kept.push_back(general.touches[i]);
+    kept.back().pair = static_cast<int>(p);
+  }
+  general.touches = std::move(kept);
+}
+
+}  // namespace
+
+GeneralContacts make_general_contacts(const Mesh& mesh, const BondedContacts& contacts, const Particles& particles,
+                                      const GeneralContactLaw& law) {
+  GeneralContacts general;
+  general.law = law;
+  if (!law.enabled) return general;
+  general.topology = make_surface_topology(mesh, contacts);
+  double length = 0.0;
+  for (std::size_t t = 0; t < particles.triangle_count(); ++t) {
+    const auto& n = particles.triangles[t];
+    for (int k = 0; k < 3; ++k) length += norm(particles.reference[n[(k + 1) % 3]] - particles.reference[n[k]]);
+  }
+  const double mean_edge = length / (3.0 * static_cast<double>(particles.triangle_count()));
+  general.skin = kSkin * mean_edge;
+  general.stiffening = 1.0 / (kStiffeningDepth * kStiffeningDepth * mean_edge * mean_edge);
+  return general;
+}
+
+void search_pairs(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles,
+                  const ParallelLoops& loops) {
+  std::vector<std::array<int, 2>> triangles_of_touch;
+  for (const Touch& touch : general.touches) {
+    const MemberPair& pair = general.pairs[touch.pair];
+    triangles_of_touch.push_back({general.members[pair.a].triangle, general.members[pair.b].triangle});
+  }
+  general.members = find_members(general.topology, bonded);
+  link_surface(general, bonded);
+  update_frames(general, particles, loops);
+  general.pairs.clear();
+  list_pairs(general, bonded, particles);
+  carry_touches(general, triangles_of_touch);
+  general.handing_over.clear();
+  for (std::size_t c = 0; c < bonded.size(); ++c) {
+    if (bonded.break_time[c] >= 0.0 && bonded.hand_over[c].weight > 0.0) {
+      general.handing_over.push_back(static_cast<int>(c));
+    }
+  }
+  general.travel = 0.0;
+  general.search_due = 0;
+  ++general.searches;
+}
+
+}  // namespace asperity

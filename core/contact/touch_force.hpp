@@ -1,0 +1,35 @@
+#pragma once
+#include "core/contact/slip_ledger.hpp"
+
+/// Forces of one touch: normal, Coulomb and viscous, with what they spend; Eqs. (C43), (C47)-(C50).
+namespace asperity {
+
+/// Energies spent in one step, and the deepest overlap.
+struct StepLosses {
+  double friction = 0, damping = 0, deepest = 0;
+  StepLosses& operator+=(const StepLosses& o) {
+    friction += o.friction;
+    damping += o.damping;
+    deepest = std::max(deepest, o.deepest);
+    return *this;
+  }
+};
+
+/// Forces on the corners of a pair: first a's, then b's.
+using PairForces = std::array<Vec2, 6>;
+
+/// Everything one touch needs besides its own memory.
+struct TouchContext {
+  const GeneralContacts& general;
+  const Particles& particles;
+  const SlipLedger& ledger;
+  double time_step;
+};
+
+/// Forces of a touch at the present positions; brings its memory up to date and adds what was spent.
+PairForces touch_force(const TouchContext& context, Touch& touch, StepLosses& losses);
+
+/// Books what a touch that ended still held, and what it did over half of the last step.
+void end_touch(const TouchContext& context, Touch& touch, StepLosses& losses);
+
+}  // namespace asperity
