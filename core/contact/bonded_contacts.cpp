@@ -85,14 +85,40 @@ bool broken_contact_stays(const BondedContacts& contacts, std::size_t c) {
   return contacts.break_time[c] >= 0.0 && contacts.hand_over_range > 0.0;
 }
 
+/// Play of an end stop over the edge length: far more than faces overlap under stress.
+constexpr double kEndPlay = 0.02;
+
+/// Eq. (C53): springs of half a point's stiffness on ends that overlap by more than their play.
+void add_end_stops(EdgeTraction& sum, EndStops& stops, const ContactFrame& frame, double length, double k_t,
+                   double weight) {
+  stops.energy = 0.0;
+  std::array<double*, 2> traction{&sum.n1, &sum.n2};
+  for (int i = 0; i < 2; ++i) {
+    const double opening = dot(frame.gap[i], frame.normal);
+    if (stops.rest[i] == 0.0) stops.rest[i] = std::min(0.0, opening) - kEndPlay * length;
+    const double depth = std::min(0.0, opening - stops.rest[i]);
+    stops.energy += 0.5 * (0.25 * length * k_t) * depth * depth;
+    *traction[i] += 0.5 * weight * k_t * depth;
+    sum.moment += 0.5 * weight * k_t * depth * dot(frame.gap[i], frame.tangent);
+  }
+}
+
+bool point_broken(const std::array<PointState, 2>& points) {
+  return points[0].broken != BreakMode::none || points[1].broken != BreakMode::none;
+}
+
 template <class UpdatePoint>
 void update_edge(BondedContacts& contacts, std::size_t c, const ContactFrame& frame, Vec2* forces,
                  const UpdatePoint& update_point) {
   auto& points = contacts.points[c];
+  const double length = contacts.edges[c].length;
   EdgeTraction sum;
   add_point(sum, points[0], frame, kNearGauss, kFarGauss, update_point);
   add_point(sum, points[1], frame, kFarGauss, kNearGauss, update_point);
-  write_forces(sum, frame, 0.5 * contacts.edges[c].length, forces);
+  if (contacts.hand_over_range > 0.0 && point_broken(points)) {
+    add_end_stops(sum, contacts.end_stops[c], frame, length, contacts.law.k_t, contacts.hand_over[c].weight);
+  }
+  write_forces(sum, frame, 0.5 * length, forces);
 }
 
 /// A broken contact with its own pair, or none any more; true when it is released.
@@ -100,7 +126,10 @@ template <class Law>
 bool update_broken_edge(BondedContacts& contacts, std::size_t c, const std::vector<Vec2>& position, Vec2* forces,
                         const Law& law) {
   HandOver& h = contacts.hand_over[c];
-  if (h.weight == 0.0) return false;
+  if (h.weight == 0.0) {
+    std::fill_n(forces, 4, Vec2{});
+    return false;
+  }
   const ContactEdge& edge = contacts.edges[c];
   const ContactFrame frame = contact_frame(edge, position);
   const double range = contacts.hand_over_range * edge.length;
@@ -155,6 +184,7 @@ BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const
   contacts.points.resize(contacts.edges.size());
   contacts.break_time.assign(contacts.edges.size(), -1.0);
   contacts.hand_over.resize(contacts.edges.size());
+  contacts.end_stops.resize(contacts.edges.size());
   return contacts;
 }
 
@@ -179,7 +209,7 @@ void add_hand_over_force(const BondedContacts& contacts, std::size_t c, double g
   const double range = contacts.hand_over_range * edge.length;
   const double distance = distance_since_breakage(h, gap, range);
   if (distance == 0.0 || distance >= 1.0) return;
-  double own_energy = 0.0;
+  double own_energy = contacts.end_stops[c].energy;
   for (const PointState& s : contacts.points[c]) {
     const double closed = std::min(0.0, s.normal);
     own_energy += 0.25 * edge.length * contacts.law.k_t * closed * closed;
@@ -209,6 +239,7 @@ ContactEnergies contact_energies(const BondedContacts& contacts, const ParallelL
       const double area = 0.5 * contacts.edges[c].length;
       const bool released = contacts.hand_over[c].weight == 0.0;
       const LawParameters law = weighted(contacts.law, contacts.hand_over[c].weight);
+      if (!released) sum.recoverable += contacts.hand_over[c].weight * contacts.end_stops[c].energy;
       for (const PointState& s : contacts.points[c]) {
         const double recoverable = released ? 0.0
                                    : contacts.reading == LawReading::literal

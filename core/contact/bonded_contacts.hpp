@@ -27,7 +27,14 @@ struct HandOver {
 };
 
 /// Slip or opening since breakage, over the edge length, at which a broken contact has passed over; Eq. (C44).
-inline constexpr double kHandOverRange = 0.03;
+inline constexpr double kHandOverRange = 0.05;
+
+/// Stops at the two ends of an edge of which a point has broken, Eq. (C53): without them an edge could hinge about its
+/// other point and its end sink into the neighbour, where no point feels it.
+struct EndStops {
+  std::array<double, 2> rest{0, 0};  ///< mm: an end whose opening is below this is stopped; 0: not armed yet.
+  double energy = 0;                 ///< At weight 1, N mm per mm of thickness.
+};
 
 /// Contact edges of a mesh and the memory of their two contact points (Gauss points at 1/2 -+ 1/(2 sqrt 3)).
 struct BondedContacts {
@@ -35,6 +42,7 @@ struct BondedContacts {
   std::vector<std::array<PointState, 2>> points;
   std::vector<double> break_time;  ///< s, when the second point of an edge broke; -1 before.
   std::vector<HandOver> hand_over;
+  std::vector<EndStops> end_stops;
   double hand_over_range =
       0;  ///< Edge lengths of slip or opening since breakage; 0: contacts keep their pair for good.
   LawParameters law;

@@ -24,70 +24,80 @@ bool overlap(const PresentTriangle& a, const PresentTriangle& b, double stiffeni
   return inside > 0.0;
 }
 
-/// The touching ones among pairs [begin, end), in order.
-std::vector<Touch> find_touches(const GeneralContacts& general, const BondedContacts& bonded, std::size_t begin,
-                                std::size_t end) {
-  std::vector<Touch> found;
+/// Brings the touches of pairs [begin, end) up to date and marks them alive; returns those that begin, in order.
+std::vector<Touch> update_touches(GeneralContacts& general, const BondedContacts& bonded, std::size_t begin,
+                                  std::size_t end) {
+  std::vector<Touch> begun;
+  std::array<EdgePart, 6> parts;
   for (std::size_t p = begin; p < end; ++p) {
     const MemberPair& pair = general.pairs[p];
     const double weight = pair_weight(general, bonded, pair);
     if (weight <= 0.0) continue;
-    Touch touch;
-    if (!overlap(general.frames[pair.a], general.frames[pair.b], general.stiffening, touch.parts)) continue;
-    touch.pair = static_cast<int>(p);
+    if (!overlap(general.frames[pair.a], general.frames[pair.b], general.stiffening, parts)) continue;
+    if (pair.touch < 0) begun.emplace_back().pair = static_cast<int>(p);
+    Touch& touch = pair.touch < 0 ? begun.back() : general.touches[pair.touch];
     touch.weight = weight;
-    touch.handing_over = pair.chain_size[0] + pair.chain_size[1] > 0;
-    found.push_back(touch);
+    touch.handing_over = pair.chain_size > 0;
+    touch.parts = parts;
+    if (pair.touch >= 0) general.alive[pair.touch] = 1;
   }
-  return found;
+  return begun;
 }
 
-std::vector<Touch> find_touches(const GeneralContacts& general, const BondedContacts& bonded,
-                                const ParallelLoops& loops) {
+std::vector<Touch> update_touches(GeneralContacts& general, const BondedContacts& bonded, const ParallelLoops& loops) {
+  general.alive.assign(general.touches.size(), 0);
   std::vector<std::vector<Touch>> blocks((general.pairs.size() + ParallelLoops::kBlock - 1) / ParallelLoops::kBlock);
   loops.for_blocks(general.pairs.size(), [&](std::size_t begin, std::size_t end) {
-    blocks[begin / ParallelLoops::kBlock] = find_touches(general, bonded, begin, end);
+    blocks[begin / ParallelLoops::kBlock] = update_touches(general, bonded, begin, end);
   });
-  if (blocks.size() == 1) return std::move(blocks[0]);
-  std::vector<Touch> all;
-  for (const auto& block : blocks) all.insert(all.end(), block.begin(), block.end());
-  return all;
+  std::vector<Touch> begun;
+  for (const auto& block : blocks) begun.insert(begun.end(), block.begin(), block.end());
+  return begun;
 }
 
-/// Takes over the memory of the touches that go on, and enters all changes of length in the ledger. Returns the touches
-/// that ended.
-std::vector<Touch> inherit(GeneralContacts& general, std::vector<Touch>& touches, SlipLedger& ledger) {
-  std::vector<std::uint8_t> goes_on(general.touches.size(), 0);
-  for (Touch& touch : touches) {
-    const MemberPair& pair = general.pairs[touch.pair];
-    if (pair.touch < 0) {
-      fix_penalties(general, touch);
-    } else {
-      const Touch& old = general.touches[pair.touch];
-      goes_on[pair.touch] = 1;
-      touch.friction = old.friction;
-      touch.k_n = old.k_n;
-      touch.k_s = old.k_s;
-    }
-    for (int i = 0; i < 6; ++i) {
-      const Entry entry = entry_of(pair, i);
-      if (!is_exposed(general, entry)) continue;
-      const double to = effective_length(general, touch, entry, i);
-      ledger.change(entry.edge(), touch.friction[i].length, to, touch.friction[i].slip);
-    }
-  }
+/// Takes the touches that are not alive off the list, whose order then follows from what happened alone.
+std::vector<Touch> remove_ended(GeneralContacts& general) {
   std::vector<Touch> ended;
-  for (std::size_t t = 0; t < general.touches.size(); ++t) {
-    const Touch& old = general.touches[t];
-    general.pairs[old.pair].touch = -1;
-    if (goes_on[t]) continue;
-    ended.push_back(old);
-    for (int i = 0; i < 6; ++i) {
-      const EdgeFriction& f = old.friction[i];
-      if (f.length > 0.0) ledger.change(entry_of(general.pairs[old.pair], i).edge(), f.length, 0.0, f.slip);
+  for (std::size_t t = general.touches.size(); t-- > 0;) {
+    if (general.alive[t]) continue;
+    ended.push_back(general.touches[t]);
+    general.pairs[general.touches[t].pair].touch = -1;
+    if (t + 1 < general.touches.size()) {
+      general.touches[t] = general.touches.back();
+      general.pairs[general.touches[t].pair].touch = static_cast<int>(t);
     }
+    general.touches.pop_back();
   }
   return ended;
+}
+
+void append_begun(GeneralContacts& general, const std::vector<Touch>& begun) {
+  for (const Touch& touch : begun) {
+    general.pairs[touch.pair].touch = static_cast<int>(general.touches.size());
+    general.touches.push_back(touch);
+    fix_penalties(general, general.touches.back());
+  }
+}
+
+/// Enters all changes of contact length in the ledger.
+void enter_changes(GeneralContacts& general, const std::vector<Touch>& ended) {
+  general.ledger.start(3 * general.members.size());
+  for (const Touch& touch : general.touches) {
+    for (int i = 0; i < 6; ++i) {
+      const EdgeFriction& f = touch.friction[i];
+      if (f.length == 0.0 && touch.parts[i].m0 == 0.0) continue;
+      const Entry entry = entry_of(general.pairs[touch.pair], i);
+      if (!is_exposed(general, entry)) continue;
+      general.ledger.change(entry.edge(), f.length, effective_length(general, touch, entry, i), f.slip);
+    }
+  }
+  for (const Touch& touch : ended) {
+    for (int i = 0; i < 6; ++i) {
+      const EdgeFriction& f = touch.friction[i];
+      general.ledger.change(entry_of(general.pairs[touch.pair], i).edge(), f.length, 0.0, f.slip);
+    }
+  }
+  general.ledger.settle(general.members);
 }
 
 /// Potential of a pair at weight 1, Eq. (C42).
@@ -98,30 +108,43 @@ double pair_potential(const GeneralContacts& general, const Touch& touch) {
          (overlap_potential(a, b.x, general.stiffening) + overlap_potential(b, a.x, general.stiffening));
 }
 
-void add_forces(const GeneralContacts& general, const std::vector<PairForces>& forces,
-                std::span<Vec2> triangle_forces) {
+/// Forces of all touches, added to those of the triangles' corners.
+void press(GeneralContacts& general, const Particles& particles, double time_step, std::vector<Touch>& ended,
+           const ParallelLoops& loops, std::span<Vec2> triangle_forces) {
+  general.forces.resize(general.touches.size());
+  const TouchContext context{general, particles, time_step};
+  StepLosses losses = loops.sum_blocks<StepLosses>(general.touches.size(), [&](std::size_t begin, std::size_t end) {
+    StepLosses sum;
+    for (std::size_t t = begin; t < end; ++t) general.forces[t] = touch_force(context, general.touches[t], sum);
+    return sum;
+  });
+  for (Touch& touch : ended) end_touch(context, touch, losses);
+  general.friction_energy += losses.friction;
+  general.damping_energy += losses.damping;
+  general.largest_depth = std::max(general.largest_depth, losses.deepest);
   for (std::size_t t = 0; t < general.touches.size(); ++t) {
     const MemberPair& pair = general.pairs[general.touches[t].pair];
     Vec2* a = &triangle_forces[3 * general.members[pair.a].triangle];
     Vec2* b = &triangle_forces[3 * general.members[pair.b].triangle];
     for (int i = 0; i < 3; ++i) {
-      a[i] += forces[t][i];
-      b[i] += forces[t][3 + i];
+      a[i] += general.forces[t][i];
+      b[i] += general.forces[t][3 + i];
     }
   }
 }
 
 /// Eq. (C48) for every bonded contact that is handing over.
-void hand_over(const GeneralContacts& general, const BondedContacts& bonded, const Particles& particles,
+void hand_over(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles,
                std::span<Vec2> bonded_forces) {
-  std::vector<double> gained(general.handing_over.empty() ? 0 : bonded.size(), 0.0);
+  general.set_free.resize(bonded.size());
+  for (int c : general.handing_over) general.set_free[c] = 0.0;
   for (const Touch& touch : general.touches) {
     if (!touch.handing_over) continue;
-    share_potential(general, bonded, general.pairs[touch.pair], pair_potential(general, touch), gained);
+    share_potential(general, bonded, general.pairs[touch.pair], pair_potential(general, touch), general.set_free);
   }
   for (int c : general.handing_over) {
     if (bonded.hand_over[c].weight == 0.0) continue;
-    add_hand_over_force(bonded, c, gained[c], particles.position, &bonded_forces[4 * c]);
+    add_hand_over_force(bonded, c, general.set_free[c], particles.position, &bonded_forces[4 * c]);
   }
 }
 
@@ -154,28 +177,11 @@ void update_general_contacts(GeneralContacts& general, const BondedContacts& bon
   if (general.search_due || general.travel > 0.5 * general.skin) search_pairs(general, bonded, particles, loops);
   if (general.pairs.empty()) return;
   update_frames(general, particles, loops);
-  std::vector<Touch> touches = find_touches(general, bonded, loops);
-  if (!touches.empty() || !general.touches.empty()) {
-    SlipLedger ledger(3 * general.members.size());
-    std::vector<Touch> ended = inherit(general, touches, ledger);
-    ledger.settle(general);
-    general.touches = std::move(touches);
-    for (std::size_t t = 0; t < general.touches.size(); ++t) {
-      general.pairs[general.touches[t].pair].touch = static_cast<int>(t);
-    }
-    std::vector<PairForces> forces(general.touches.size());
-    const TouchContext context{general, particles, ledger, time_step};
-    StepLosses losses = loops.sum_blocks<StepLosses>(general.touches.size(), [&](std::size_t begin, std::size_t end) {
-      StepLosses sum;
-      for (std::size_t t = begin; t < end; ++t) forces[t] = touch_force(context, general.touches[t], sum);
-      return sum;
-    });
-    for (Touch& touch : ended) end_touch(context, touch, losses);
-    general.friction_energy += losses.friction;
-    general.damping_energy += losses.damping;
-    general.largest_depth = std::max(general.largest_depth, losses.deepest);
-    add_forces(general, forces, triangle_forces);
-  }
+  const std::vector<Touch> begun = update_touches(general, bonded, loops);
+  std::vector<Touch> ended = remove_ended(general);
+  append_begun(general, begun);
+  enter_changes(general, ended);
+  press(general, particles, time_step, ended, loops, triangle_forces);
   hand_over(general, bonded, particles, bonded_forces);
 }
 

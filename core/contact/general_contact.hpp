@@ -6,16 +6,14 @@
 
 #include "core/base/parallel.hpp"
 #include "core/contact/bonded_contacts.hpp"
+#include "core/contact/contact_member.hpp"
 #include "core/contact/overlap.hpp"
+#include "core/contact/slip_ledger.hpp"
 #include "core/contact/surface_topology.hpp"
 #include "core/particles/particles.hpp"
 
 /// General contact: every exposed edge may touch any other. Eqs. (C40)-(C52) of core/contact/README.md.
 namespace asperity {
-
-/// What an exposed edge is made of.
-enum class SurfaceKind : std::uint8_t { outline = 0, fracture = 1 };
-inline constexpr std::size_t kSurfaceKinds = 2;
 
 /// Friction and penalty of one kind of surface.
 struct SurfaceLaw {
@@ -33,19 +31,12 @@ struct GeneralContactLaw {
 /// unless the config says otherwise.
 GeneralContactLaw general_contact_law(const ContactConfig& config, const LawParameters& law);
 
-/// A triangle with at least one exposed vertex: it may touch others.
-struct ContactMember {
-  int triangle;
-  std::array<int, 3> surface;         ///< SurfaceKind of each edge, -1 where it is not exposed.
-  std::array<int, 3> next, previous;  ///< Exposed edges (3 member + k) that go on along the surface; -1: none.
-};
-
-/// Two members within reach of each other, and the two chains of handing-over bonded contacts that still join them
-/// around a common vertex: they set the weight of their contact, Eq. (C46).
+/// Two members within reach of each other, and the chain of handing-over bonded contacts between them, which sets the
+/// weight of their contact, Eq. (C46).
 struct MemberPair {
   int a, b;  ///< Member indices, a < b.
   int chain_begin = 0;
-  std::array<int, 2> chain_size{0, 0};
+  int chain_size = 0;
   int touch = -1;  ///< Index of their touch, -1 while apart.
 };
 
@@ -77,6 +68,9 @@ struct Touch {
   std::array<EdgeFriction, 6> friction;
 };
 
+/// Forces on the corners of two touching triangles: first a's, then b's. N per mm of thickness.
+using PairForces = std::array<Vec2, 6>;
+
 /// Members, pairs within reach, and the contacts alive. Everything up to `largest_depth` is the state of a run.
 struct GeneralContacts {
   GeneralContactLaw law;
@@ -96,6 +90,10 @@ struct GeneralContacts {
   double largest_depth = 0;                        ///< Of any contact ever, mm.
 
   std::vector<PresentTriangle> frames;  ///< Of the members, at the last update.
+  SlipLedger ledger;                    ///< Work space, like all below.
+  std::vector<PairForces> forces;
+  std::vector<double> set_free;
+  std::vector<std::uint8_t> alive;
 };
 
 /// General contacts of a mesh; the skin is a fifth of the mean edge.

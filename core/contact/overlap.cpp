@@ -5,7 +5,7 @@ namespace {
 
 /// A convex polygon of at most eight corners, each known by its depths below the three edges of a triangle.
 struct Polygon {
-  std::array<std::array<double, 3>, 8> corner;
+  std::array<std::array<double, 3>, 8> corner;  // only the first `size` are set
   int size = 0;
   void add(const std::array<double, 3>& depths) { corner[size++] = depths; }
 };
@@ -13,11 +13,18 @@ struct Polygon {
 /// Keeps the part where keep(depths) >= 0; keep is linear.
 template <class Keep>
 Polygon clip(const Polygon& polygon, const Keep& keep) {
+  std::array<double, 8> at;
+  double least = 0.0;
+  for (int i = 0; i < polygon.size; ++i) {
+    at[i] = keep(polygon.corner[i]);
+    least = std::min(least, at[i]);
+  }
+  if (least == 0.0) return polygon;
   Polygon result;
   for (int i = 0; i < polygon.size; ++i) {
-    const auto& p = polygon.corner[i];
-    const auto& q = polygon.corner[(i + 1) % polygon.size];
-    const double at_p = keep(p), at_q = keep(q);
+    const int next = i + 1 < polygon.size ? i + 1 : 0;
+    const auto &p = polygon.corner[i], &q = polygon.corner[next];
+    const double at_p = at[i], at_q = at[next];
     if (at_p >= 0.0) result.add(p);
     if ((at_p > 0.0 && at_q < 0.0) || (at_p < 0.0 && at_q > 0.0)) {
       const double s = at_p / (at_p - at_q);
@@ -50,13 +57,13 @@ double integral(const Polygon& polygon, int k, double stiffening) {
 double overlap_potential(const PresentTriangle& in, const std::array<Vec2, 3>& corners, double stiffening) {
   DepthTable d;
   if (!depth_table(in, corners, d)) return 0.0;
-  Polygon other;
-  for (int j = 0; j < 3; ++j) other.add({d[0][j], d[1][j], d[2][j]});
+  Polygon shared;
+  for (int j = 0; j < 3; ++j) shared.add({d[0][j], d[1][j], d[2][j]});
+  for (int k = 0; k < 3; ++k) shared = clip(shared, [k](const auto& p) { return p[k]; });
   double sum = 0.0;
   for (int k = 0; k < 3; ++k) {
     const int l = (k + 1) % 3, m = (k + 2) % 3;
-    Polygon nearest = clip(other, [k](const auto& p) { return p[k]; });
-    nearest = clip(nearest, [k, l](const auto& p) { return p[l] - p[k]; });
+    Polygon nearest = clip(shared, [k, l](const auto& p) { return p[l] - p[k]; });
     nearest = clip(nearest, [k, m](const auto& p) { return p[m] - p[k]; });
     sum += integral(nearest, k, stiffening);
   }

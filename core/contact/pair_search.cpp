@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/units.hpp"
 #include "core/contact/general_contact.hpp"
 #include "core/geometry/near_boxes.hpp"
 
@@ -10,9 +11,9 @@ namespace {
 /// The skin over the mean edge: wide enough that searches are rare, narrow enough that few pairs are listed in vain.
 constexpr double kSkin = 0.2;
 
-/// Depth over the mean edge at which the penalty has doubled, Eq. (C40): five times what faces under the plaster's
+/// Depth over the mean edge at which the pressure has doubled, Eq. (C40): eight times what faces under the plaster's
 /// strength overlap, so that flat contacts stay linear while a corner, whose contact is short, cannot sink in.
-constexpr double kStiffeningDepth = 0.02;
+constexpr double kStiffeningDepth = 0.03;
 
 bool exposed(const SurfaceTopology& topology, const BondedContacts& bonded, int edge) {
   const int joint = topology.joint[edge];
@@ -93,59 +94,71 @@ bool apart(const PresentTriangle& in, const PresentTriangle& other, double skin)
   return false;
 }
 
-/// How a chain of joints holds two triangles together.
-enum class Chain { intact, handing_over, cut };
+/// How the joints between two triangles hold them together.
+enum class Hold { intact, handing_over, cut };
 
-/// Appends the chain's broken contacts to `list` if it is handing over.
-template <class JointAt>
-Chain follow_chain(const BondedContacts& bonded, int count, const JointAt& joint_at, std::vector<int>& list) {
-  const std::size_t before = list.size();
-  for (int i = 0; i < count; ++i) {
-    const int joint = joint_at(i);
-    const bool gone = joint == kOutline || (joint >= 0 && bonded.hand_over[joint].weight == 0.0);
-    if (gone) {
-      list.resize(before);
-      return Chain::cut;
-    }
-    if (joint >= 0 && bonded.break_time[joint] >= 0.0) list.push_back(joint);
-  }
-  return list.size() > before ? Chain::handing_over : Chain::intact;
-}
+/// Two triangles with a common vertex can meet through the fan between them where it is narrower than this at rest.
+constexpr double kWidestFan = 150.0 * units::kRadPerDeg;
 
-/// Fills the pair's chains; false where an intact chain holds the two together.
+/// Fills a pair's chain, the broken contacts between its triangles that are still handing over.
 class ChainFinder {
  public:
   ChainFinder(const SurfaceTopology& topology, const BondedContacts& bonded, std::vector<int>& list)
       : topology_(topology), bonded_(bonded), list_(list) {}
 
+  /// False where the two are held together for good.
   bool operator()(int triangle_a, int triangle_b, MemberPair& pair) {
     pair.chain_begin = static_cast<int>(list_.size());
-    for (int k = 0; k < 3; ++k) {
-      const int partner = topology_.partner[3 * triangle_a + k];
-      if (partner < 0 || partner / 3 != triangle_b) continue;
-      const int joint = topology_.joint[3 * triangle_a + k];
-      return add(pair, 0, 1, [joint](int) { return joint; });
-    }
-    for (int vertex : topology_.vertex[triangle_a]) {
-      const int a = place_in_fan(vertex, triangle_a), b = place_in_fan(vertex, triangle_b);
-      if (b < 0) continue;
-      const int begin = topology_.fan_begin[vertex], size = topology_.fan_begin[vertex + 1] - begin;
-      const int low = std::min(a, b), high = std::max(a, b);
-      const auto joint_from = [&](int start) {
-        return [this, begin, size, start](int i) { return topology_.fan[begin + (start + i) % size].joint; };
-      };
-      return add(pair, 0, high - low, joint_from(low)) && add(pair, 1, size - (high - low), joint_from(high));
-    }
-    return true;
+    const Hold hold = find(triangle_a, triangle_b);
+    if (hold == Hold::cut) list_.resize(pair.chain_begin);
+    pair.chain_size = static_cast<int>(list_.size()) - pair.chain_begin;
+    return hold != Hold::intact;
   }
 
  private:
-  template <class JointAt>
-  bool add(MemberPair& pair, int which, int count, const JointAt& joint_at) {
+  Hold find(int triangle_a, int triangle_b) {
+    for (int k = 0; k < 3; ++k) {
+      const int partner = topology_.partner[3 * triangle_a + k];
+      if (partner >= 0 && partner / 3 == triangle_b) return follow(topology_.joint[3 * triangle_a + k]);
+    }
+    for (int vertex : topology_.vertex[triangle_a]) {
+      const int a = place_in_fan(vertex, triangle_a), b = place_in_fan(vertex, triangle_b);
+      if (b >= 0) return around(topology_.fan_begin[vertex], topology_.fan_begin[vertex + 1], a, b);
+    }
+    return Hold::cut;
+  }
+
+  /// Both ways round a vertex, from a to b and from b to a.
+  Hold around(int begin, int end, int a, int b) {
+    const Hold one = follow_fan(begin, end, a, b), other = follow_fan(begin, end, b, a);
+    if (one == Hold::cut || other == Hold::cut) return Hold::cut;
+    return one == Hold::handing_over ? one : other;
+  }
+
+  /// The joints counter-clockwise from one place in a fan to another. Over the outline, or through a wide fan, the two
+  /// cannot meet, so that way counts as held.
+  Hold follow_fan(int begin, int end, int from, int to) {
+    const int size = end - begin;
     const std::size_t before = list_.size();
-    const Chain chain = follow_chain(bonded_, count, joint_at, list_);
-    pair.chain_size[which] = static_cast<int>(list_.size() - before);
-    return chain != Chain::intact;
+    Hold hold = Hold::intact;
+    double width = 0.0;
+    for (int place = from; place != to; place = (place + 1) % size) {
+      const FanEntry& entry = topology_.fan[begin + place];
+      if (place != from) width += entry.angle;
+      if (entry.joint == kOutline || width > kWidestFan) {
+        list_.resize(before);
+        return Hold::intact;
+      }
+      hold = std::max(hold, follow(entry.joint));
+    }
+    return hold;
+  }
+
+  Hold follow(int joint) {
+    if (joint < 0 || bonded_.break_time[joint] < 0.0) return Hold::intact;
+    if (bonded_.hand_over[joint].weight == 0.0) return Hold::cut;
+    list_.push_back(joint);
+    return Hold::handing_over;
   }
 
   int place_in_fan(int vertex, int triangle) const {
@@ -176,19 +189,19 @@ void list_pairs(GeneralContacts& general, const BondedContacts& bonded, const Pa
   }
 }
 
-/// Gives the live touches to the pairs of the new list; both lists are sorted by triangles.
+/// Gives the live touches to the pairs of the new list, which is sorted by triangles.
 void carry_touches(GeneralContacts& general, const std::vector<std::array<int, 2>>& triangles_of_touch) {
   const auto triangles = [&](const MemberPair& pair) {
     return std::array{general.members[pair.a].triangle, general.members[pair.b].triangle};
   };
-  std::size_t p = 0;
-  std::vector<Touch> kept;
-  for (std::size_t i = 0; i < general.touches.size(); ++i) {
-    while (p < general.pairs.size() && triangles(general.pairs[p]) < triangles_of_touch[i]) ++p;
-    if (p == general.pairs.size() || triangles(general.pairs[p]) != triangles_of_touch[i]) continue;
-    general.pairs[p].touch = static_cast<int>(kept.size());
-    kept.push_back(general.touches[i]);
-    kept.back().pair = static_cast<int>(p);
+  std::vector<Touch> kept;  // all, unless two triangles parted by more than the skin in one step
+  for (std::size_t t = 0; t < general.touches.size(); ++t) {
+    const auto pair = std::lower_bound(general.pairs.begin(), general.pairs.end(), triangles_of_touch[t],
+                                       [&](const MemberPair& p, const auto& key) { return triangles(p) < key; });
+    if (pair == general.pairs.end() || triangles(*pair) != triangles_of_touch[t]) continue;
+    pair->touch = static_cast<int>(kept.size());
+    kept.push_back(general.touches[t]);
+    kept.back().pair = static_cast<int>(pair - general.pairs.begin());
   }
   general.touches = std::move(kept);
 }

@@ -8,9 +8,9 @@ namespace asperity {
 /// Weight of a pair, Eq. (C46).
 double pair_weight(const GeneralContacts& general, const BondedContacts& bonded, const MemberPair& pair);
 
-/// Adds to each bonded contact that the pair's weight depends on the energy it sets free as its own weight falls,
-/// -dW/dw times the pair's potential (N mm per mm of thickness); Eq. (C48).
+/// Adds to each bonded contact of the pair's chain the energy it sets free as its own weight falls, -dW/dw times the
+/// pair's potential (N mm per mm of thickness); Eq. (C48).
 void share_potential(const GeneralContacts& general, const BondedContacts& bonded, const MemberPair& pair,
-                     double potential, std::vector<double>& gained);
+                     double potential, std::vector<double>& set_free);
 
 }  // namespace asperity

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "core/contact/general_contact.hpp"
+#include "core/contact/contact_member.hpp"
 
 namespace asperity {
 
@@ -11,24 +11,27 @@ struct EdgeLedger {
   double gained = 0;
   double given = 0;     ///< Of the lost length: passed to a neighbouring edge.
   double incoming = 0;  ///< Elastic slip of the gained length, mean.
+  bool empty() const { return lost == 0.0 && gained == 0.0; }
 };
 
 /// Passes the elastic slip of lost lengths on to gained ones: first on the same edge, then from the edges next to it.
 class SlipLedger {
  public:
-  explicit SlipLedger(std::size_t edges) : ledger_(edges) {}
+  /// Forgets the last step; `edges` is three a member.
+  void start(std::size_t edges);
 
   /// A contact of this edge (3 member + k) changed its length (mm) at this elastic slip (mm).
   void change(int edge, double from, double to, double slip);
 
   /// Call once when all changes are entered.
-  void settle(const GeneralContacts& general);
+  void settle(const std::vector<ContactMember>& members);
 
   /// Elastic slip that new length on the edge brings along, mm.
   double incoming(int edge) const { return ledger_[edge].incoming; }
 
  private:
   std::vector<EdgeLedger> ledger_;
+  std::vector<int> changed_;  ///< Edges with an entry, in order of entry.
 };
 
 }  // namespace asperity

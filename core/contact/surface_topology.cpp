@@ -1,5 +1,7 @@
 #include "core/contact/surface_topology.hpp"
 
+#include <cmath>
+
 namespace asperity {
 namespace {
 
@@ -27,8 +29,15 @@ void join_edges(const Mesh& mesh, const BondedContacts& contacts, SurfaceTopolog
 /// Edge that bounds triangle t counter-clockwise around its corner: it arrives there.
 int arriving_edge(int triangle, int corner) { return 3 * triangle + (corner + 2) % 3; }
 
+double corner_angle(const Mesh& mesh, int triangle, int corner) {
+  const auto& v = mesh.triangles[triangle];
+  const Vec2 at = mesh.vertices[v[corner]];
+  const Vec2 a = mesh.vertices[v[(corner + 1) % 3]] - at, b = mesh.vertices[v[(corner + 2) % 3]] - at;
+  return std::atan2(cross(a, b), dot(a, b));
+}
+
 /// Lists the fan that contains `start`, which has the outline on its clockwise side if the fan has an end.
-void list_fan(SurfaceTopology& topology, FanEntry start, std::vector<std::uint8_t>& listed) {
+void list_fan(const Mesh& mesh, SurfaceTopology& topology, FanEntry start, std::vector<std::uint8_t>& listed) {
   FanEntry entry = start;
   while (true) {
     const int edge = arriving_edge(entry.triangle, entry.corner);
@@ -37,7 +46,7 @@ void list_fan(SurfaceTopology& topology, FanEntry start, std::vector<std::uint8_
     listed[3 * entry.triangle + entry.corner] = 1;
     if (entry.joint == kOutline) return;
     const int beyond = topology.partner[edge];
-    entry = {beyond / 3, beyond % 3, 0};
+    entry = {beyond / 3, beyond % 3, 0, corner_angle(mesh, beyond / 3, beyond % 3)};
     if (listed[3 * entry.triangle + entry.corner]) return;
   }
 }
@@ -45,16 +54,16 @@ void list_fan(SurfaceTopology& topology, FanEntry start, std::vector<std::uint8_
 void list_fans(const Mesh& mesh, SurfaceTopology& topology) {
   std::vector<std::vector<FanEntry>> around(mesh.vertices.size());
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    for (int k = 0; k < 3; ++k) around[mesh.triangles[t][k]].push_back({t, k, 0});
+    for (int k = 0; k < 3; ++k) around[mesh.triangles[t][k]].push_back({t, k, 0, corner_angle(mesh, t, k)});
   }
   std::vector<std::uint8_t> listed(3 * mesh.triangles.size(), 0);
   topology.fan_begin.push_back(0);
   for (const auto& corners : around) {
     for (const FanEntry& c : corners) {
-      if (topology.joint[3 * c.triangle + c.corner] == kOutline) list_fan(topology, c, listed);
+      if (topology.joint[3 * c.triangle + c.corner] == kOutline) list_fan(mesh, topology, c, listed);
     }
     for (const FanEntry& c : corners) {
-      if (!listed[3 * c.triangle + c.corner]) list_fan(topology, c, listed);
+      if (!listed[3 * c.triangle + c.corner]) list_fan(mesh, topology, c, listed);
     }
     topology.fan_begin.push_back(static_cast<int>(topology.fan.size()));
   }

@@ -16,8 +16,9 @@ inline constexpr int kGrain = -2;    ///< The same grain: the two share their no
 /// One triangle around a mesh vertex.
 struct FanEntry {
   int triangle;
-  int corner;  ///< Its corner at the vertex.
-  int joint;   ///< What joins it to the next entry counter-clockwise; kOutline ends a fan.
+  int corner;    ///< Its corner at the vertex.
+  int joint;     ///< What joins it to the next entry counter-clockwise; kOutline ends a fan.
+  double angle;  ///< Of that corner at rest, rad.
 };
 
 /// How triangles hang together at rest: never changes. Edge k of triangle t has index 3 t + k.

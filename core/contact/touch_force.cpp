@@ -81,7 +81,7 @@ Vec2 entry_force(const TouchContext& c, Touch& touch, int i, const Entry& entry,
   const double edge = edge_length(own, entry.k);
   const double normal = 0.5 * touch.weight * touch.k_n * other.inverse_jacobian * edge * touch.parts[i].m0;
   if (!is_exposed(c.general, entry)) return (-normal) * point.normal();
-  losses.deepest = std::max(losses.deepest, touch.parts[i].deepest);
+  if (touch.weight >= 0.5) losses.deepest = std::max(losses.deepest, touch.parts[i].deepest);
   EdgeFriction& f = touch.friction[i];
   EntryMotion motion = old_motion(c, entry, f);
   const Vec2 moved = relative_motion(c, entry, point);
@@ -90,7 +90,7 @@ Vec2 entry_force(const TouchContext& c, Touch& touch, int i, const Entry& entry,
   const SurfaceLaw law = surface_law(c.general, entry, position_on_edge(own, entry.k, point.s));
   const double length = effective_length(c.general, touch, entry, i);
   const double friction =
-      rub(f, length, c.ledger.incoming(entry.edge()), motion, 0.5 * touch.k_s, law.tan_phi * normal, losses);
+      rub(f, length, c.general.ledger.incoming(entry.edge()), motion, 0.5 * touch.k_s, law.tan_phi * normal, losses);
   double pressing = normal;
   if (c.general.law.damping_ratio > 0.0) {
     const double mass =

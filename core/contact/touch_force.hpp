@@ -1,5 +1,5 @@
 #pragma once
-#include "core/contact/slip_ledger.hpp"
+#include "core/contact/general_contact.hpp"
 
 /// Forces of one touch: normal, Coulomb and viscous, with what they spend; Eqs. (C43), (C47)-(C50).
 namespace asperity {
@@ -15,14 +15,10 @@ struct StepLosses {
   }
 };
 
-/// Forces on the corners of a pair: first a's, then b's.
-using PairForces = std::array<Vec2, 6>;
-
 /// Everything one touch needs besides its own memory.
 struct TouchContext {
   const GeneralContacts& general;
   const Particles& particles;
-  const SlipLedger& ledger;
   double time_step;
 };
 

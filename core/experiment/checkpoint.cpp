@@ -94,6 +94,7 @@ void exchange(Archive& archive, SystemType& system, StateType& state) {
   archive(system.contacts.points);
   archive(system.contacts.break_time);
   archive(system.contacts.hand_over);
+  archive(system.contacts.end_stops);
   exchange_general(archive, system.general);
   archive(state.loading);
   archive(state.samples);

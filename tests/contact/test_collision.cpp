@@ -31,10 +31,13 @@ struct BarCollision {
   double energy_error;
 };
 
-/// Two equal bars of so many cells in a row meet at `speed` each. Exact: a compression wave runs through each bar, comes
-/// back as tension after 2 L / c and parts them, all at rest inside and with velocities exchanged. What is left over:
-/// * Penalty: the face follows u' = v - 2 k u / (rho c), so the pressure comes and goes with the time E / (2 k c), a share
-///   E / (4 k L) of the duration: 1 / 8 cell in L with k = 2 E / edge. A much stiffer face rattles: it parts and meets again.
+/// Two equal bars of so many cells in a row meet at `speed` each. Exact: a compression wave runs through each bar,
+/// comes back as tension after 2 L / c and parts them, all at rest inside and with velocities exchanged. What is left
+/// over:
+/// * Penalty: the face follows u' = v - 2 k u / (rho c), so the pressure comes and goes with the time E / (2 k c), a
+/// share
+///   E / (4 k L) of the duration: 1 / 8 cell in L with k = 2 E / edge. A much stiffer face rattles: it parts and meets
+///   again.
 /// * Mesh: the wave disperses over some edge (L / edge)^(1/3), which delays the end of the contact by the share
 ///   (edge / L)^(2/3) and leaves about that share of the energy as vibration: 1 % takes some 150 cells.
 BarCollision collide_bars(int cells) {
@@ -156,8 +159,9 @@ TEST_CASE("Corner on corner, exactly aligned: restitution 1 and no deflection in
     CAPTURE(frame);
     check_conservation(c);
     const double restitution = 0.5 * (c.right.x - c.left.x);
-    if (frame == 0.3) WARN("tips aligned: restitution " << restitution << ", deflection " << c.left.y << ", energy "
-                                                        << c.energy_error << ", momentum " << c.momentum_error);
+    if (frame == 0.3)
+      WARN("tips aligned: restitution " << restitution << ", deflection " << c.left.y << ", energy " << c.energy_error
+                                        << ", momentum " << c.momentum_error);
     CHECK(restitution == Approx(1.0).margin(0.01));
     CHECK(std::max(std::abs(c.left.y), std::abs(c.right.y)) < 1e-10);
     CHECK(std::max(std::abs(c.spin_left), std::abs(c.spin_right)) < 1e-10);
@@ -177,8 +181,8 @@ TEST_CASE("Corner on corner, off the axis: mirrored offsets give mirrored motion
     CHECK(std::abs(up.left.y + down.left.y) < 1e-8);
     CHECK(std::abs(up.spin_left + down.spin_left) < 1e-8);
     CHECK(norm(up.left - level.left) < 1e-8);
-    // Tips slip off each other: found 0.8 to 350 a mm, the same for every small offset. A normal that is chosen, and not
-    // given by a potential, deflects by order 1 however small the offset.
+    // Tips slip off each other: found 0.8 to 350 a mm, the same for every small offset. A normal that is chosen, and
+    // not given by a potential, deflects by order 1 however small the offset.
     CHECK(std::abs(up.left.y) < 500.0 * offset + 1e-9);
   }
 }

@@ -18,9 +18,9 @@ constexpr double kSafety = 0.2;
 
 /// What one heap showed.
 struct HeapRun {
-  double energy_error = 0;  ///< Largest |error| of the account over the work done.
+  double energy_error = 0;               ///< Largest |error| of the account over the work done.
   double force_sum = 0, moment_sum = 0;  ///< Of all internal forces, over the sum of their magnitudes.
-  double friction_fall = 0;  ///< Largest fall of the energy spent in friction, over the work done.
+  double friction_fall = 0;              ///< Largest fall of the energy spent in friction, over the work done.
   bool finite = true, inside = true, apart = true;
   bool touched = false;
 };

@@ -51,7 +51,8 @@ TEST_CASE("A block on an incline sticks below the friction angle") {
     const Slide slide = slide_at(phi - below);
     WARN("incline " << below << " rad below phi: acceleration " << slide.acceleration / kGravity << " g, energy "
                     << slide.energy_error);
-    CHECK(std::abs(slide.acceleration) < 0.005 * kGravity * (std::sin(phi + below) - kFriction * std::cos(phi + below)));
+    CHECK(std::abs(slide.acceleration) <
+          0.005 * kGravity * (std::sin(phi + below) - kFriction * std::cos(phi + below)));
     CHECK(slide.energy_error < 1e-3);
   }
 }
@@ -61,8 +62,8 @@ TEST_CASE("A block on an incline slides with g (sin a - mu cos a) above the fric
   for (double above : {0.02, 0.1, 0.3}) {
     const Slide slide = slide_at(phi + above);
     const double exact = kGravity * (std::sin(phi + above) - kFriction * std::cos(phi + above));
-    WARN("incline " << above << " rad above phi: acceleration over exact " << slide.acceleration / exact
-                    << ", energy " << slide.energy_error);
+    WARN("incline " << above << " rad above phi: acceleration over exact " << slide.acceleration / exact << ", energy "
+                    << slide.energy_error);
     CHECK(slide.acceleration == Approx(exact).epsilon(0.005));
     CHECK(slide.energy_error < 1e-3);
   }

@@ -50,7 +50,8 @@ SlidingBlock sliding_block(double pressure) {
   return block;
 }
 
-/// Velocity of a journey out and back, mm/s: smooth ramps, so that the block hardly rings when its friction turns round.
+/// Velocity of a journey out and back, mm/s: smooth ramps, so that the block hardly rings when its friction turns
+/// round.
 struct Journey {
   double speed, ramp, turn;
   /// From -1 to 1 with flat ends and a flat middle.
@@ -181,9 +182,9 @@ TEST_CASE("A corner dragged over edge ends loses no friction at a change of part
       most_touches = std::max(most_touches, static_cast<int>(tip.system.general.touches.size()));
     });
     CAPTURE(tilt, drop, full, share);
-    CHECK(drop < 0.01 * full);                   // less than its limit only where it was less before
+    CHECK(drop < 0.01 * full);                  // less than its limit only where it was less before
     CHECK(share == Approx(1.0).margin(0.005));  // as in the block's friction work
-    CHECK(most_touches >= 3);                    // there were edge ends
+    CHECK(most_touches >= 3);                   // there were edge ends
     WARN("tilt " << tilt << ": largest drop " << drop / full << " of the full force, mean share of the limit "
                  << share);
   }

@@ -47,8 +47,7 @@ Wheel make_wheel(double damping_ratio) {
   material.damping_ratio = damping_ratio;
   test::Bodies bodies;
   const int base = bodies.add_block({-30.0, -20.0}, {static_cast<int>((kTurns + 1) * kPerimeter / 20.0), 1, 20.0, 0.0});
-  const int wheel =
-      bodies.add_wheel({0.0, kHeight}, kRadius, kCorners, -std::numbers::pi * (0.5 + 1.0 / kCorners));
+  const int wheel = bodies.add_wheel({0.0, kHeight}, kRadius, kCorners, -std::numbers::pi * (0.5 + 1.0 / kCorners));
   Wheel result{test::make_bodies(bodies, material, 0.6), wheel};
   test::hold(result.system, base);
   result.system.body_acceleration = {0.0, -1.2 * kSpeed * kSpeed / kRadius};
@@ -67,9 +66,9 @@ void start(Wheel& wheel, double speed, double spin) {
 
 /// How a wheel rolled: mechanical energy is kinetic + elastic + of the contacts + of height; all over the initial one.
 struct Roll {
-  double largest_rise = 0;   ///< Of mechanical energy over the least of it before.
-  double left = 1;           ///< Mechanical energy at the end.
-  double energy_error = 0;   ///< Largest error of the account.
+  double largest_rise = 0;  ///< Of mechanical energy over the least of it before.
+  double left = 1;          ///< Mechanical energy at the end.
+  double energy_error = 0;  ///< Largest error of the account.
   double turns = 0, distance = 0;
 };
 

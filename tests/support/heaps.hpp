@@ -90,7 +90,9 @@ inline Piece random_strip(RandomStream& random, double size) {
 inline Piece random_piece(RandomStream& random) {
   const double size = random.uniform(0.9, 2.2);
   const auto kind = random.below(3);
-  Piece piece = kind == 0 ? random_triangle(random, size) : kind == 1 ? random_star(random, size) : random_strip(random, size);
+  Piece piece = kind == 0   ? random_triangle(random, size)
+                : kind == 1 ? random_star(random, size)
+                            : random_strip(random, size);
   const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
   for (Vec2& v : piece.vertices) v = turned(v, angle);
   return piece;
