@@ -18,6 +18,20 @@ struct BoxTraits {
   static int dimension() { return 2; }
 };
 
+/// Ascending order in linear time: by the first index with one count, then each index's few partners.
+std::vector<std::array<int, 2>> sorted(const std::vector<std::array<int, 2>>& pairs, std::size_t boxes) {
+  std::vector<std::size_t> begin(boxes + 1, 0);
+  for (const auto& pair : pairs) ++begin[pair[0] + 1];
+  for (std::size_t i = 0; i < boxes; ++i) begin[i + 1] += begin[i];
+  std::vector<std::array<int, 2>> result(pairs.size());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (const auto& pair : pairs) result[next[pair[0]]++] = pair;
+  for (std::size_t i = 0; i < boxes; ++i) {
+    std::sort(result.data() + begin[i], result.data() + begin[i + 1]);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::array<int, 2>> near_boxes(const std::vector<Box>& boxes) {
@@ -32,8 +46,7 @@ std::vector<std::array<int, 2>> near_boxes(const std::vector<Box>& boxes) {
   constexpr std::ptrdiff_t kCutoff = 10;  // CGAL's own default
   CGAL::box_self_intersection_d(handles.begin(), handles.end(), report, BoxTraits(), kCutoff,
                                 CGAL::Box_intersection_d::CLOSED);
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  return sorted(pairs, boxes.size());
 }
 
 }  // namespace asperity

@@ -135,6 +135,16 @@ TEST_CASE("a disc goes on from a checkpoint among cracks to the same bits") {
   check_round_trip(config, steps, "disc.bin");
 }
 
+TEST_CASE("a crushed specimen under pressure goes on from a checkpoint among general contacts to the same bits") {
+  const RunConfig config = crushed_triaxial();
+  const int steps = 8000;
+  const fs::path file = scratch_file("crushed.bin");
+  const Run broken = broken_off(config, steps, file);
+  REQUIRE(broken.model.system.general.touches.size() > 3);
+  REQUIRE_FALSE(broken.model.system.general.handing_over.empty());
+  check_round_trip(config, steps, "crushed.bin");
+}
+
 TEST_CASE("a triaxial test goes on from a checkpoint in its hydrostatic stage to the same bits") {
   RunConfig config = small_config(ExperimentType::triaxial);
   config.experiment.confining_pressure_mpa = 0.5;

@@ -31,6 +31,19 @@ inline RunConfig weak_disc() {
   return c;
 }
 
+/// A weak specimen under pressure, loaded so far and so quickly that pieces slide, turn and come off.
+inline RunConfig crushed_triaxial() {
+  RunConfig c = small_config(ExperimentType::triaxial);
+  c.experiment.confining_pressure_mpa = 0.3;
+  c.experiment.loading.closing_rate_mm_per_s = 1500;
+  c.experiment.stop.axial_strain = 0.06;
+  c.contacts.tensile_strength_mpa = 2;
+  c.contacts.cohesion_mpa = 1.2;
+  c.contacts.friction_angle_deg = 25;
+  c.contacts.fracture_energy_n_per_mm = 0.02;
+  return c;
+}
+
 inline Model small_model(const RunConfig& config) { return build_model(config, ParallelLoops()); }
 
 /// The steps of run_experiment() without samples, until `done`.

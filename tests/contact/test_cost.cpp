@@ -1,0 +1,101 @@
+#include <time.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "core/base/random.hpp"
+#include "core/experiment/run.hpp"
+
+using namespace asperity;
+
+/// What general contact costs, as ratios of steps timed in turn on one thread's own clock.
+namespace {
+
+double cpu_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double time_of_steps(System& system, int steps) {
+  const ParallelLoops loops;
+  const double start = cpu_seconds();
+  for (int i = 0; i < steps; ++i) {
+    compute_forces(system, loops);
+    update_velocities(system, loops);
+    update_positions(system, loops);
+  }
+  return cpu_seconds() - start;
+}
+
+/// Least times of two systems that take turns.
+double least_ratio(System& a, System& b, int rounds, int steps) {
+  double least_a = 1e9, least_b = 1e9;
+  for (int r = 0; r < rounds; ++r) {
+    least_a = std::min(least_a, time_of_steps(a, steps));
+    least_b = std::min(least_b, time_of_steps(b, steps));
+  }
+  return least_b / least_a;
+}
+
+RunConfig specimen(double width, double height) {
+  RunConfig c;
+  c.name = "cost";
+  c.experiment.type = ExperimentType::uniaxial;
+  c.experiment.plane = PlaneCondition::strain;
+  c.experiment.width_mm = width;
+  c.experiment.height_mm = height;
+  c.measurement.axial_gauge_mm = 0.4 * height;
+  c.measurement.lateral_gauge_mm = 10;
+  return c;
+}
+
+void run_until(Model& model, RunState& state, const std::function<bool()>& done) {
+  RunObserver observer;
+  observer.interrupted = done;
+  run_experiment(model, state, ParallelLoops(), observer);
+}
+
+System loaded(const RunConfig& config) {
+  Model model = build_model(config, ParallelLoops());
+  RunState state = start_run(model);
+  run_until(model, state, [&] { return model.system.step >= 2000; });
+  return model.system;
+}
+
+int broken(const System& system) {
+  const auto& times = system.contacts.break_time;
+  return static_cast<int>(std::count_if(times.begin(), times.end(), [](double t) { return t >= 0.0; }));
+}
+
+}  // namespace
+
+TEST_CASE("while nothing is broken general contact costs less than 2 % of a step") {
+  RunConfig config = specimen(54, 130);
+  System on = loaded(config);
+  config.contacts.general.enabled = false;
+  System off = loaded(config);
+  const double ratio = least_ratio(off, on, 40, 40);
+  WARN("step with general contact over step without, nothing broken: " << ratio);
+  CHECK(ratio < 1.02);
+}
+
+TEST_CASE("with a fifth of the contacts broken a step takes at most twice as long as unbroken") {
+  RunConfig config = specimen(40, 80);
+  config.experiment.loading.closing_rate_mm_per_s = 400;
+  config.experiment.stop.axial_strain = 0.3;
+  config.contacts.cohesion_mpa = 1.5;
+  config.contacts.tensile_strength_mpa = 2;
+  config.contacts.friction_angle_deg = 20;
+  config.contacts.fracture_energy_n_per_mm = 0.01;
+  System whole = loaded(config);
+  Model model = build_model(config, ParallelLoops());
+  RunState state = start_run(model);
+  run_until(model, state,
+            [&] { return broken(model.system) >= 0.2 * static_cast<double>(model.system.contacts.size()); });
+  REQUIRE(broken(model.system) >= 0.2 * static_cast<double>(model.system.contacts.size()));
+  const double ratio = least_ratio(whole, model.system, 20, 40);
+  WARN("step with " << broken(model.system) << " of " << model.system.contacts.size() << " contacts broken and "
+                    << model.system.general.touches.size() << " general contacts over unbroken step: " << ratio);
+  CHECK(ratio < 2.0);
+}
