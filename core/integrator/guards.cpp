@@ -15,7 +15,8 @@ namespace {
   throw Error(ErrorKind::numerical, text);
 }
 
-/// Share of the inradius beyond which general contact no longer pushes pieces apart reliably; core/contact README, deepest overlap.
+/// Share of the inradius beyond which general contact no longer pushes pieces apart reliably; core/contact README,
+/// deepest overlap.
 constexpr double kDeepest = 0.75;
 
 constexpr const char* kStepHint =

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/base/disjoint_sets.hpp"
+#include "core/contact/pieces.hpp"
 
 namespace asperity {
 namespace {
@@ -105,29 +105,14 @@ void add_shares(const std::vector<SeenEdge>& seen, std::vector<double>& share) {
   for (const SeenEdge& e : seen) share[e.index] = std::min(1.0, share[e.index] / (e.high - e.low));
 }
 
-/// Groups of triangles that hang together, by bond, by grain or by touch.
-DisjointSets held_together(const BondedContacts& contacts, const Particles& p,
-                           std::span<const std::array<int, 2>> touching) {
-  DisjointSets groups(p.triangle_count());
-  std::vector<int> first_of_grain(p.triangle_count(), -1);
-  for (int t = 0; t < static_cast<int>(p.triangle_count()); ++t) {
-    int& first = first_of_grain[p.grain[t]];
-    if (first < 0) first = t;
-    groups.join(first, t);
-  }
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (contacts.break_time[c] < 0.0) groups.join(contacts.edges[c].left_triangle, contacts.edges[c].right_triangle);
-  }
-  for (const auto& pair : touching) groups.join(pair[0], pair[1]);
-  return groups;
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> carrying_triangles(const BondedContacts& contacts, const Particles& particles,
                                              std::span<const std::uint8_t> on_platen,
                                              std::span<const std::array<int, 2>> touching) {
-  const std::vector<int> group = held_together(contacts, particles, touching).names();
+  DisjointSets groups = bonded_pieces(contacts, particles);
+  for (const auto& pair : touching) groups.join(pair[0], pair[1]);
+  const std::vector<int> group = groups.names();
   std::vector<std::uint8_t> held(group.size(), 0), carries;
   for (std::size_t t = 0; t < group.size(); ++t) {
     if (on_platen[t] != 0) held[group[t]] = 1;

@@ -148,8 +148,7 @@ void compute_forces(System& system, const ParallelLoops& loops) {
   const auto triangle_forces = std::span(system.forces).first(3 * p.triangle_count());
   const auto contact_forces = std::span(system.forces).subspan(3 * p.triangle_count());
   const int changes = update_contacts(system.contacts, p.position, system.time, loops, contact_forces);
-  update_general_contacts(system.general, system.contacts, p, system.time_step, loops, triangle_forces,
-                          contact_forces);
+  update_general_contacts(system.general, system.contacts, p, system.time_step, loops, triangle_forces, contact_forces);
   if (changes > 0) system.general.search_due = 1;
   follow_outer_surface(system);
   apply_flank_pressure(system);

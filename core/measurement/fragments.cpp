@@ -2,29 +2,12 @@
 
 #include <algorithm>
 
-#include "core/base/disjoint_sets.hpp"
+#include "core/contact/pieces.hpp"
 
 namespace asperity {
-namespace {
-
-std::vector<int> connected_triangles(const BondedContacts& contacts, const Particles& p) {
-  DisjointSets pieces(p.triangle_count());
-  std::vector<int> first_of_grain(p.triangle_count(), -1);
-  for (int t = 0; t < static_cast<int>(p.triangle_count()); ++t) {
-    int& first = first_of_grain[p.grain[t]];
-    if (first < 0) first = t;
-    pieces.join(first, t);
-  }
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (contacts.break_time[c] < 0.0) pieces.join(contacts.edges[c].left_triangle, contacts.edges[c].right_triangle);
-  }
-  return pieces.names();
-}
-
-}  // namespace
 
 Fragments find_fragments(const BondedContacts& contacts, const Particles& p) {
-  const std::vector<int> root = connected_triangles(contacts, p);
+  const std::vector<int> root = bonded_pieces(contacts, p).names();
   std::vector<double> area(root.size(), 0.0);
   std::vector<int> roots;
   for (std::size_t t = 0; t < root.size(); ++t) {

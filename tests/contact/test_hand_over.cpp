@@ -72,16 +72,6 @@ void move(System& system, Vec2 by, double speed, const See& see) {
   }
 }
 
-int broken(const BondedContacts& contacts) {
-  return static_cast<int>(
-      std::count_if(contacts.break_time.begin(), contacts.break_time.end(), [](double time) { return time >= 0.0; }));
-}
-
-int released(const BondedContacts& contacts) {
-  return static_cast<int>(std::count_if(contacts.hand_over.begin(), contacts.hand_over.end(),
-                                        [](const HandOver& h) { return h.weight == 0.0; }));
-}
-
 /// What a passage showed; forces count from the moment all bonded contacts have broken.
 struct Passage {
   test::EnergyWatch energy;
@@ -94,8 +84,8 @@ struct Passage {
 
   void see(const System& system) {
     energy.see(energy_balance(system, kLoops));
-    broken = ::broken(system.contacts);
-    released = ::released(system.contacts);
+    broken = test::broken(system.contacts);
+    released = test::released(system.contacts);
     if (broken < static_cast<int>(system.contacts.size())) return;
     mode = edge_break_mode(system.contacts.points[0]);
     const Vec2 force = test::force_on(system, 1);

@@ -9,16 +9,6 @@ namespace {
 
 const ParallelLoops kLoops;
 
-int broken(const BondedContacts& contacts) {
-  return static_cast<int>(
-      std::count_if(contacts.break_time.begin(), contacts.break_time.end(), [](double time) { return time >= 0.0; }));
-}
-
-int released(const BondedContacts& contacts) {
-  return static_cast<int>(std::count_if(contacts.hand_over.begin(), contacts.hand_over.end(),
-                                        [](const HandOver& h) { return h.weight == 0.0; }));
-}
-
 /// 2,112 triangles bonded as single particles in a held box, torn apart by their velocities.
 System torn_assembly(double speed, bool general) {
   const test::Grid grid{33, 32};
@@ -70,10 +60,10 @@ TEST_CASE("An assembly torn apart keeps its energy account, and is bitwise the s
       CHECK(energy.relative() < 1e-3);
       CHECK(system.general.touches.size() > 2 * ParallelLoops::kBlock);
       CHECK(system.general.pairs.size() > 4 * ParallelLoops::kBlock);
-      CHECK(released(system.contacts) > 50);
+      CHECK(test::released(system.contacts) > 50);
       WARN("energy error " << energy.relative() << ", " << system.general.touches.size() << " touches, "
-                           << system.general.pairs.size() << " pairs, " << broken(system.contacts) << " of "
-                           << system.contacts.size() << " contacts broken, " << released(system.contacts)
+                           << system.general.pairs.size() << " pairs, " << test::broken(system.contacts) << " of "
+                           << system.contacts.size() << " contacts broken, " << test::released(system.contacts)
                            << " released, deepest " << system.general.largest_depth << " mm");
       positions = system.particles.position;
       velocities = system.particles.velocity;
@@ -91,7 +81,7 @@ TEST_CASE("Without general contact an assembly moves as before it existed; with 
   off.time_step = without.time_step;
   test::advance(without, kLoops, 200);
   test::advance(off, kLoops, 200);
-  CHECK(broken(without.contacts) > 1000);
+  CHECK(test::broken(without.contacts) > 1000);
   CHECK(off.particles.position == without.particles.position);
   CHECK(off.general.touches.empty());
 
@@ -99,6 +89,6 @@ TEST_CASE("Without general contact an assembly moves as before it existed; with 
   still_on.time_step = still.time_step;
   test::advance(still, kLoops, 200);
   test::advance(still_on, kLoops, 200);
-  CHECK(broken(still.contacts) == 0);
+  CHECK(test::broken(still.contacts) == 0);
   CHECK(still_on.particles.position == still.particles.position);
 }

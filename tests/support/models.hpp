@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "core/base/random.hpp"
@@ -100,6 +101,17 @@ inline void scatter_velocities(System& system, double speed) {
       system.particles.velocity[node] = common + Vec2{0.1 * speed * random.normal(), 0.1 * speed * random.normal()};
     }
   }
+}
+
+/// How many contacts have broken, and how many of them have passed over to general contact.
+inline int broken(const BondedContacts& contacts) {
+  return static_cast<int>(
+      std::count_if(contacts.break_time.begin(), contacts.break_time.end(), [](double time) { return time >= 0.0; }));
+}
+
+inline int released(const BondedContacts& contacts) {
+  return static_cast<int>(std::count_if(contacts.hand_over.begin(), contacts.hand_over.end(),
+                                        [](const HandOver& h) { return h.weight == 0.0; }));
 }
 
 inline Vec2 turned(Vec2 a, double angle) {

@@ -18,9 +18,10 @@ TEST_CASE("a summary keeps the order of its keys and reads back") {
   write_summary(path, summary);
   CHECK_THAT(
       read_file(path),
-      Catch::Contains("{\n  \"experiment\": {\n    \"type\": \"brazilian\",\n    \"name\": \"quickstart\"\n  },\n"
-                      "  \"results\": {\n    \"tensile_strength_mpa\": 1.61,\n    \"peak_axial_strain\": 0.01\n"
-                      "  },\n  \"energy\": {},\n  \"cracks\": {},\n  \"contacts\": {},\n  \"cost\": {},\n  \"warnings\": ["));
+      Catch::Contains(
+          "{\n  \"experiment\": {\n    \"type\": \"brazilian\",\n    \"name\": \"quickstart\"\n  },\n"
+          "  \"results\": {\n    \"tensile_strength_mpa\": 1.61,\n    \"peak_axial_strain\": 0.01\n"
+          "  },\n  \"energy\": {},\n  \"cracks\": {},\n  \"contacts\": {},\n  \"cost\": {},\n  \"warnings\": ["));
   const Summary back = read_summary(path);
   CHECK(back.results == summary.results);
   CHECK(back.warnings == summary.warnings);
