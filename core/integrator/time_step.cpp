@@ -42,6 +42,16 @@ std::array<Vec2, 4> linear_contact(const ContactEdge& edge, const ContactFrame& 
   return {Vec2{} - end[0], Vec2{} - end[1], end[0], end[1]};
 }
 
+/// The bonded law, or what a broken contact becomes where that is stiffer.
+LawParameters stiffest_law(const System& system) {
+  LawParameters law = system.contacts.law;
+  if (!system.general.law.enabled) return law;
+  const SurfaceLaw& fracture = system.general.law.surfaces[static_cast<int>(SurfaceKind::fracture)];
+  law.k_t = std::max(law.k_t, fracture.k_n);
+  law.k_s = std::max(law.k_s, fracture.k_s);
+  return law;
+}
+
 /// Springs to the ground that stand for what a node may meet, N/mm per mm of thickness: a platen, or another body's
 /// surface of equal mass, against which half an edge's penalty counts twice.
 std::vector<double> ground_springs(const System& system) {
@@ -68,6 +78,7 @@ std::vector<Vec2> apply_stiffness(const System& system, const std::vector<double
                                   const ParallelLoops& loops) {
   const Particles& p = system.particles;
   const std::size_t triangles = p.triangle_count();
+  const LawParameters law = stiffest_law(system);
   std::vector<Vec2> forces(system.forces.size());
   loops.for_blocks(triangles, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
@@ -79,8 +90,8 @@ std::vector<Vec2> apply_stiffness(const System& system, const std::vector<double
   loops.for_blocks(system.contacts.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       const ContactEdge& e = system.contacts.edges[c];
-      const auto f = linear_contact(e, contact_frame(e, p.reference),
-                                    {u[e.left1], u[e.left2], u[e.right1], u[e.right2]}, system.contacts.law);
+      const auto f =
+          linear_contact(e, contact_frame(e, p.reference), {u[e.left1], u[e.left2], u[e.right1], u[e.right2]}, law);
       for (std::size_t i = 0; i < 4; ++i) forces[3 * triangles + 4 * c + i] = f[i];
     }
   });
@@ -119,6 +130,7 @@ void add_row_sums(const std::array<int, N>& nodes, const Apply& apply, std::vect
 std::vector<double> gershgorin_rows(const System& system) {
   const Particles& p = system.particles;
   std::vector<double> rows = ground_springs(system);
+  const LawParameters law = stiffest_law(system);
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
     add_row_sums<3>(
         p.triangles[t], [&](const auto& u) { return linear_triangle(p.shapes[t], u, p.elastic); }, rows);
@@ -126,8 +138,7 @@ std::vector<double> gershgorin_rows(const System& system) {
   for (const ContactEdge& e : system.contacts.edges) {
     const ContactFrame frame = contact_frame(e, p.reference);
     add_row_sums<4>(
-        {e.left1, e.left2, e.right1, e.right2},
-        [&](const auto& u) { return linear_contact(e, frame, u, system.contacts.law); }, rows);
+        {e.left1, e.left2, e.right1, e.right2}, [&](const auto& u) { return linear_contact(e, frame, u, law); }, rows);
   }
   return rows;
 }
