@@ -85,7 +85,7 @@ void add_render(CLI::App& cli, Action& action) {
   CLI::App* command = cli.add_subcommand("render", "Draws a finished run again, from its VTU files alone");
   command->add_option("run_dir", options->run_dir, "Run folder")->required();
   command->add_option("--field", options->fields,
-                      "cracks, damage, stress, shear_stress, fragments or displacement; may be repeated");
+                      "cracks, contacts, damage, stress, shear_stress, fragments or displacement; may be repeated");
   command->add_option("--frames", options->frames, "all, last or a frame's number")->capture_default_str();
   command->footer("Example:\n  asperity render outputs/quickstart --field displacement --frames last");
   command->callback([=, &action] { action = [=] { return render_command(*options); }; });

@@ -122,6 +122,7 @@ void press(GeneralContacts& general, const Particles& particles, double time_ste
   general.friction_energy += losses.friction;
   general.damping_energy += losses.damping;
   general.largest_depth = std::max(general.largest_depth, losses.deepest);
+  general.largest_depth_handing_over = std::max(general.largest_depth_handing_over, losses.deepest_handing_over);
   for (std::size_t t = 0; t < general.touches.size(); ++t) {
     const MemberPair& pair = general.pairs[general.touches[t].pair];
     Vec2* a = &triangle_forces[3 * general.members[pair.a].triangle];

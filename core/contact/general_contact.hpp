@@ -71,7 +71,8 @@ struct Touch {
 /// Forces on the corners of two touching triangles: first a's, then b's. N per mm of thickness.
 using PairForces = std::array<Vec2, 6>;
 
-/// Members, pairs within reach, and the contacts alive. Everything up to `largest_depth` is the state of a run.
+/// Members, pairs within reach, and the contacts alive. Everything up to `largest_depth_handing_over` is the state
+/// of a run.
 struct GeneralContacts {
   GeneralContactLaw law;
   SurfaceTopology topology;
@@ -87,7 +88,8 @@ struct GeneralContacts {
   std::uint8_t search_due = 1;
   std::int64_t searches = 0;
   double friction_energy = 0, damping_energy = 0;  ///< N mm per mm of thickness, up to now.
-  double largest_depth = 0;                        ///< Of any contact ever, mm.
+  double largest_depth = 0;                        ///< mm, in the whole run, Eq. (C52).
+  double largest_depth_handing_over = 0;           ///< The same of contacts of less than half their weight.
 
   std::vector<PresentTriangle> frames;  ///< Of the members, at the last update.
   SlipLedger ledger;                    ///< Work space, like all below.

@@ -12,7 +12,7 @@ namespace {
 constexpr double kSkin = 0.2;
 
 /// Depth over the mean edge at which the pressure has doubled, Eq. (C40): eight times what faces under the plaster's
-/// strength overlap, so that flat contacts stay linear while a corner, whose contact is short, cannot sink in.
+/// strength overlap, so that flat contacts stay linear while a corner, whose contact is short, sinks in less.
 constexpr double kStiffeningDepth = 0.03;
 
 bool exposed(const SurfaceTopology& topology, const BondedContacts& bonded, int edge) {
@@ -94,10 +94,10 @@ bool apart(const PresentTriangle& in, const PresentTriangle& other, double skin)
   return false;
 }
 
-/// How the joints between two triangles hold them together.
+/// How the joints between two triangles hold them together, the firmest first.
 enum class Hold { intact, handing_over, cut };
 
-/// Two triangles with a common vertex can meet through the fan between them where it is narrower than this at rest.
+/// A fan between two triangles that is narrower than this at rest can close so that the two meet through it.
 constexpr double kWidestFan = 150.0 * units::kRadPerDeg;
 
 /// Fills a pair's chain, the broken contacts between its triangles that are still handing over.
@@ -128,30 +128,43 @@ class ChainFinder {
     return Hold::cut;
   }
 
-  /// Both ways round a vertex, from a to b and from b to a.
+  /// One way round a vertex.
+  struct Way {
+    Hold hold;
+    bool narrow;  ///< The two can meet through it.
+  };
+
+  /// Both ways round a vertex, from a to b and from b to a. The narrow ones count, and of two the looser one, since the
+  /// triangles meet through it. Where neither is narrow they cannot meet here while either way holds.
   Hold around(int begin, int end, int a, int b) {
-    const Hold one = follow_fan(begin, end, a, b), other = follow_fan(begin, end, b, a);
-    if (one == Hold::cut || other == Hold::cut) return Hold::cut;
-    return one == Hold::handing_over ? one : other;
+    const std::size_t before = list_.size();
+    const Way one = follow_way(begin, end, a, b);
+    const std::size_t middle = list_.size();
+    const Way other = follow_way(begin, end, b, a);
+    if (one.narrow && other.narrow) return std::max(one.hold, other.hold);
+    if (!one.narrow && !other.narrow) return std::min(one.hold, other.hold);
+    if (one.narrow) {
+      list_.resize(middle);
+      return one.hold;
+    }
+    list_.erase(list_.begin() + before, list_.begin() + middle);
+    return other.hold;
   }
 
-  /// The joints counter-clockwise from one place in a fan to another. Over the outline, or through a wide fan, the two
-  /// cannot meet, so that way counts as held.
-  Hold follow_fan(int begin, int end, int from, int to) {
+  /// The joints counter-clockwise from one place in a fan to another; one that is cut leaves nothing on the list.
+  Way follow_way(int begin, int end, int from, int to) {
     const int size = end - begin;
     const std::size_t before = list_.size();
-    Hold hold = Hold::intact;
+    Way way{Hold::intact, true};
     double width = 0.0;
     for (int place = from; place != to; place = (place + 1) % size) {
       const FanEntry& entry = topology_.fan[begin + place];
       if (place != from) width += entry.angle;
-      if (entry.joint == kOutline || width > kWidestFan) {
-        list_.resize(before);
-        return Hold::intact;
-      }
-      hold = std::max(hold, follow(entry.joint));
+      way.hold = std::max(way.hold, entry.joint == kOutline ? Hold::cut : follow(entry.joint));
+      way.narrow = way.narrow && entry.joint != kOutline && width <= kWidestFan;
     }
-    return hold;
+    if (way.hold == Hold::cut) list_.resize(before);
+    return way;
   }
 
   Hold follow(int joint) {

@@ -1,16 +1,19 @@
 #pragma once
+#include <algorithm>
+
 #include "core/contact/general_contact.hpp"
 
 /// Forces of one touch: normal, Coulomb and viscous, with what they spend; Eqs. (C43), (C47)-(C50).
 namespace asperity {
 
-/// Energies spent in one step, and the deepest overlap.
+/// Energies spent in one step (N mm per mm of thickness), and the deepest overlaps (mm), Eq. (C52).
 struct StepLosses {
-  double friction = 0, damping = 0, deepest = 0;
+  double friction = 0, damping = 0, deepest = 0, deepest_handing_over = 0;
   StepLosses& operator+=(const StepLosses& o) {
     friction += o.friction;
     damping += o.damping;
     deepest = std::max(deepest, o.deepest);
+    deepest_handing_over = std::max(deepest_handing_over, o.deepest_handing_over);
     return *this;
   }
 };

@@ -73,6 +73,7 @@ void exchange_general(Archive& archive, General& general) {
   archive(general.friction_energy);
   archive(general.damping_energy);
   archive(general.largest_depth);
+  archive(general.largest_depth_handing_over);
 }
 
 /// Everything that changes while a test runs, in one order for writing and reading.

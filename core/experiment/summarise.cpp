@@ -88,6 +88,7 @@ Json contact_entries(const Model& model) {
           {"broken_contacts_with_own_pair", general.handing_over.size()},
           {"largest_overlap_mm", general.largest_depth},
           {"largest_overlap_over_edge", general.largest_depth / model.config.particles.edge_mm},
+          {"largest_overlap_handing_over_mm", general.largest_depth_handing_over},
           {"searches", general.searches}};
 }
 

@@ -34,20 +34,7 @@ Mesh bonded_mesh(int first, int count) {
 }
 
 /// A block bonded with the plaster's contacts to a longer surface of irregular edges; the surface is body 0.
-System bonded_block(int edges, double safety) {
-  const Mesh mesh = bonded_mesh(1, edges);
-  const RunConfig config = test::plaster();
-  const LawParameters law = law_parameters(config);
-  System system;
-  system.particles = make_particles(mesh, config.particles, config.experiment.plane);
-  system.contacts = make_contacts(mesh, system.particles, law, LawReading::consistent);
-  const SurfaceLaw surface{law.tan_phi, law.k_t, law.k_s};
-  system.general = make_general_contacts(mesh, system.contacts, system.particles, {true, {surface, surface}, 0.0});
-  system.contacts.hand_over_range = kHandOverRange;
-  prepare(system);
-  system.time_step = safety * critical_time_step(system, kLoops);
-  return system;
-}
+System bonded_block(int edges, double safety) { return test::bonded_system(bonded_mesh(1, edges), safety); }
 
 /// Gives the block's held nodes a velocity; the energy that puts in counts as work.
 void drive(System& system, Vec2 velocity) {

@@ -60,26 +60,26 @@ Pairs brute_force(const Particles& p, double reach) {
 
 TEST_CASE("The search lists the pairs that brute force finds, whatever the numbering and the order of searches") {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    test::Scattered model = test::scattered_triangles(400, seed);
-    search_pairs(model.general, model.contacts, model.particles, model.loops);
+    test::BondedBodies model = test::scattered_triangles(400, seed);
+    search_pairs(model.general, model.contacts, model.particles, ParallelLoops());
     const Pairs pairs = listed(model.general);
     CAPTURE(seed, pairs.size());
     CHECK(pairs.size() > 400);
     CHECK(pairs == brute_force(model.particles, model.general.skin));
 
-    search_pairs(model.general, model.contacts, model.particles, model.loops);
+    search_pairs(model.general, model.contacts, model.particles, ParallelLoops());
     CHECK(listed(model.general) == pairs);
 
-    test::Scattered reversed = test::scattered_triangles(400, seed, true);
-    search_pairs(reversed.general, reversed.contacts, reversed.particles, reversed.loops);
+    test::BondedBodies reversed = test::scattered_triangles(400, seed, true);
+    search_pairs(reversed.general, reversed.contacts, reversed.particles, ParallelLoops());
     CHECK(listed(reversed.general, [](int t) { return 399 - t; }) == pairs);
   }
 }
 
 TEST_CASE("No pair that touches is missing from the list while nothing has moved farther than half the skin") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    test::Scattered model = test::scattered_triangles(300, seed);
-    search_pairs(model.general, model.contacts, model.particles, model.loops);
+    test::BondedBodies model = test::scattered_triangles(300, seed);
+    search_pairs(model.general, model.contacts, model.particles, ParallelLoops());
     const Pairs list = listed(model.general);
     const std::vector<Vec2> from = model.particles.position;
     RandomStream random(seed, "moves");

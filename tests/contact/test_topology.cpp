@@ -12,21 +12,10 @@ namespace {
 const ParallelLoops kLoops;
 
 /// Particles one to a triangle, bonded, with general contact on.
-struct Bonded {
+struct Bonded : test::BondedBodies {
   Mesh mesh;
-  Particles particles;
-  BondedContacts contacts;
-  GeneralContacts general;
 
-  explicit Bonded(const Mesh& m) : mesh(m) {
-    const RunConfig config = test::plaster();
-    const LawParameters law = law_parameters(config);
-    particles = make_particles(mesh, config.particles, config.experiment.plane);
-    contacts = make_contacts(mesh, particles, law, LawReading::consistent);
-    contacts.hand_over_range = kHandOverRange;
-    const SurfaceLaw surface{law.tan_phi, law.k_t, law.k_s};
-    general = make_general_contacts(mesh, contacts, particles, {true, {surface, surface}, 0.0});
-  }
+  explicit Bonded(const Mesh& m) : test::BondedBodies(test::bonded_bodies(m)), mesh(m) {}
 
   int contact_between(int a, int b) const {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -267,6 +256,16 @@ TEST_CASE("What still holds two triangles around a vertex sets the weight of the
   CHECK(broken_wheel({0.0, 0.9, u, u, u, u}).weight(0, 2) == 1.0);
   CHECK(broken_wheel({1.0, u, u, u, u, u}).weight(0, 1) == 0.0);
 
+  // Opposite ones of fourteen: 154 degrees on either side, too wide to meet through; both ways must let go.
+  Bonded wide(wheel(14));
+  for (int i = 0; i < 7; ++i) wide.break_contact(i, i + 1, 0.0);
+  wide.search();
+  CHECK(wide.weight(0, 7) == -1.0);
+  for (int i = 7; i < 13; ++i) wide.break_contact(i, (i + 1) % 14, 0.0);
+  wide.break_contact(13, 0, 0.4);
+  wide.search();
+  CHECK(wide.weight(0, 7) == 1.0);
+
   RandomStream random(5, "wheel weights");
   for (int trial = 0; trial < 300; ++trial) {
     WheelWeights weights;
@@ -282,6 +281,21 @@ TEST_CASE("What still holds two triangles around a vertex sets the weight of the
       }
     }
   }
+}
+
+TEST_CASE("The two faces of a re-entrant corner meet once the corner's triangles have let go") {
+  Mesh corner = wheel(14);
+  corner.triangles.pop_back();
+  corner.grain.pop_back();
+  Bonded model(corner);
+  model.search();
+  CHECK(model.weight(0, 12) == -1.0);
+  model.break_contact(5, 6, 0.25);
+  model.search();
+  CHECK(model.weight(0, 12) == Approx(0.75));
+  model.break_contact(5, 6, 0.0);
+  model.search();
+  CHECK(model.weight(0, 12) == 1.0);
 }
 
 TEST_CASE("Triangles of one body that meet without a chain between them have full weight at once") {

@@ -22,20 +22,8 @@ System torn_assembly(double speed, bool general) {
     bodies.mesh.triangles.push_back({first + v[0], first + v[1], first + v[2]});
     bodies.mesh.grain.push_back(1 + pieces.grain[t]);
   }
-  const RunConfig config = test::plaster();
-  const LawParameters law = law_parameters(config);
-  System system;
-  system.particles = make_particles(bodies.mesh, config.particles, config.experiment.plane);
-  system.contacts = make_contacts(bodies.mesh, system.particles, law, LawReading::consistent);
-  if (general) {
-    const SurfaceLaw surface{law.tan_phi, law.k_t, law.k_s};
-    system.general =
-        make_general_contacts(bodies.mesh, system.contacts, system.particles, {true, {surface, surface}, 0.0});
-    system.contacts.hand_over_range = kHandOverRange;
-  }
-  prepare(system);
   // The bonded law's own account, without general contact, is off by 1.2e-3 at 0.3 and by 2.6e-4 at 0.15.
-  system.time_step = 0.2 * critical_time_step(system, kLoops);
+  System system = test::bonded_system(bodies.mesh, 0.2, general);
   test::scatter_velocities(system, speed);
   test::hold(system, 0);
   book_initial_kinetic_energy(system);

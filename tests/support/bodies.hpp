@@ -86,6 +86,38 @@ inline System make_bodies(const Bodies& bodies, const BodyMaterial& material, do
   return system;
 }
 
+/// The plaster's contacts between a mesh's grains, and general contact of the same friction and stiffness.
+struct BondedBodies {
+  Particles particles;
+  BondedContacts contacts;
+  GeneralContacts general;
+};
+
+inline BondedBodies bonded_bodies(const Mesh& mesh, bool general = true) {
+  const RunConfig config = plaster();
+  const LawParameters law = law_parameters(config);
+  BondedBodies bodies;
+  bodies.particles = make_particles(mesh, config.particles, config.experiment.plane);
+  bodies.contacts = make_contacts(mesh, bodies.particles, law, LawReading::consistent);
+  if (!general) return bodies;
+  bodies.general =
+      make_general_contacts(mesh, bodies.contacts, bodies.particles, general_contact_law(config.contacts, law));
+  bodies.contacts.hand_over_range = kHandOverRange;
+  return bodies;
+}
+
+/// The same, ready to move at `safety` times the stable step.
+inline System bonded_system(const Mesh& mesh, double safety, bool general = true) {
+  BondedBodies bodies = bonded_bodies(mesh, general);
+  System system;
+  system.particles = std::move(bodies.particles);
+  system.contacts = std::move(bodies.contacts);
+  system.general = std::move(bodies.general);
+  prepare(system);
+  system.time_step = safety * critical_time_step(system, ParallelLoops());
+  return system;
+}
+
 /// Nodes of one body.
 inline std::vector<int> nodes_of(const System& system, int body) {
   std::vector<std::uint8_t> seen(system.particles.node_count(), 0);

@@ -4,21 +4,14 @@
 #include <limits>
 #include <numbers>
 
-#include "tests/support/models.hpp"
+#include "tests/support/bodies.hpp"
 
 /// Loose triangles scattered over the plane, for the search of general contacts.
 namespace asperity::test {
 
-struct Scattered {
-  Particles particles;
-  BondedContacts contacts;
-  GeneralContacts general;
-  ParallelLoops loops;
-};
-
 /// `count` triangles of random shape, each its own grain with its own vertices, about one to a cell of a square grid
 /// and wide enough to meet the next ones. `reversed` numbers the same triangles backwards.
-inline Scattered scattered_triangles(int count, std::uint64_t seed, bool reversed = false) {
+inline BondedBodies scattered_triangles(int count, std::uint64_t seed, bool reversed = false) {
   RandomStream random(seed, "scattered triangles");
   const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
   Mesh mesh;
@@ -36,23 +29,16 @@ inline Scattered scattered_triangles(int count, std::uint64_t seed, bool reverse
     mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
     mesh.grain.push_back(t);
   }
-  const RunConfig config = plaster();
-  const LawParameters law = law_parameters(config);
-  Scattered model;
-  model.particles = make_particles(mesh, config.particles, config.experiment.plane);
-  model.contacts = make_contacts(mesh, model.particles, law, LawReading::consistent);
-  const SurfaceLaw surface{law.tan_phi, law.k_t, law.k_s};
-  model.general = make_general_contacts(mesh, model.contacts, model.particles, {true, {surface, surface}, 0.0});
-  return model;
+  return bonded_bodies(mesh);
 }
 
 /// Processor time of a search over the number of triangles, the best of three, s.
 inline double search_seconds_per_triangle(int count) {
-  Scattered model = scattered_triangles(count, 1);
+  BondedBodies model = scattered_triangles(count, 1);
   double best = std::numeric_limits<double>::max();
   for (int i = 0; i < 3; ++i) {
     const std::clock_t start = std::clock();
-    search_pairs(model.general, model.contacts, model.particles, model.loops);
+    search_pairs(model.general, model.contacts, model.particles, ParallelLoops());
     best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   }
   return best / count;
