@@ -106,6 +106,17 @@ void add_audit(CLI::App& cli, Action& action) {
   command->callback([=, &action] { action = [=] { return audit_command(*options); }; });
 }
 
+void add_bench(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* command = cli.add_subcommand(
+      "bench", "Times a step of the scalar reference and of the vector kernels in turns, one thread and all");
+  command->add_option("--json", options->json, "Writes the figures to this file as well");
+  command->add_option("--triangles", options->triangles, "One mesh of about so many; default 4k, 16k, 64k, 256k and 1M")
+      ->check(CLI::Range(500, 4000000));
+  command->footer("Examples:\n  asperity bench --triangles 4050\n  asperity bench --json bench.json");
+  command->callback([=, &action] { action = [=] { return bench_command(*options); }; });
+}
+
 void add_info(CLI::App& cli, Action& action) {
   CLI::App* command = cli.add_subcommand("info", "Prints version, revision, libraries and machine");
   command->footer("Example:\n  asperity info");
@@ -136,7 +147,8 @@ int run_command_line(int argc, char** argv) {
       "data, "
       "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
   Action action;
-  for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_audit, add_info}) {
+  for (const auto add :
+       {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_audit, add_bench, add_info}) {
     add(cli, action);
   }
   try {

@@ -58,6 +58,13 @@ struct AuditOptions {
 
 int audit_command(const AuditOptions& options);
 
+struct BenchOptions {
+  std::optional<std::filesystem::path> json;
+  std::optional<int> triangles;  ///< Unset: 4k, 16k, 64k, 256k and 1M.
+};
+
+int bench_command(const BenchOptions& options);
+
 int info_command();
 
 }  // namespace asperity::app

@@ -35,12 +35,11 @@ inline double path_work(double from, double to, double path) { return std::max(0
 inline double slip_intact_share(PointState& s, double shear, double pressure, const LawParameters& p) {
   const double trial = p.k_s * (shear - s.slip);
   const double strength = kE * (p.c_c + pressure * p.tan_phi);
-  const double yield = strength * s.hardening * s.shear_secant;
+  const double yield = strength * s.hardening * shear_secant_factor(s.hardening);
   if (std::abs(trial) <= yield) return 0.0;
   const double x = s.hardening + (std::abs(trial) - yield) / strength;
   s.hardening = x;
-  s.shear_secant = shear_secant_factor(x);
-  const double slipped = (trial - std::copysign(strength * x * s.shear_secant, trial)) / p.k_s;
+  const double slipped = (trial - std::copysign(strength * x * shear_secant_factor(x), trial)) / p.k_s;
   s.slip += slipped;
   return slipped;
 }
@@ -73,25 +72,35 @@ inline void hand_over(PointState& s, double integrity_s, double stress_before, d
   s.integrity_s = integrity_s;
 }
 
+/// How a point breaks at a separation (mm) and hardening: in tension where that has the larger part in kappa, Eq. (D4).
+inline BreakMode break_mode(double normal, double hardening, const LawParameters& p) {
+  const double kappa_n = std::max(0.0, normal) * p.inverse_delta_ct;
+  return kappa_n >= hardening ? BreakMode::tension : BreakMode::shear;
+}
+
 /// Damage of both modes at the present opening and hardening, Eqs. (D4)-(D6), (D8).
 inline void damage_contact(PointState& s, double normal, double shear, double stress_before, double limit,
                            const LawParameters& p) {
   const double opening = std::max(0.0, normal);
   const double kappa_n = opening * p.inverse_delta_ct;
   const double square = kappa_n * kappa_n + s.hardening * s.hardening;
-  if (square <= std::min(1.0, s.largest * s.largest)) return;
   const double kappa = opening > 0.0 ? std::sqrt(square) : s.hardening;
   s.damage = std::max(s.damage, damage_at(kappa, kappa_n, p));
-  s.largest = std::max(s.largest, kappa);
-  const double factor = opening > 0.0 ? secant_factor(kappa, s.damage) : (1.0 - s.damage) * s.shear_secant;
+  const double shear_secant = shear_secant_factor(s.hardening);
+  const double factor = opening > 0.0 ? secant_factor(kappa, s.damage) : (1.0 - s.damage) * shear_secant;
   const double g_n = std::min(s.integrity_n, factor);
-  const double g_s = std::min(s.integrity_s, factor / s.shear_secant);
+  const double g_s = std::min(s.integrity_s, opening > 0.0 ? factor / shear_secant : 1.0 - s.damage);
   s.fracture_energy += 0.5 * p.k_t * std::max(0.0, s.normal) * opening * (s.integrity_n - g_n);
   s.integrity_n = g_n;
   if (g_s < s.integrity_s) hand_over(s, g_s, stress_before, p.k_s * (shear - s.slip), limit, shear - s.shear, p);
-  if (s.damage >= 1.0) {
-    s.broken = 2.0 * kappa_n * kappa_n >= kappa * kappa ? BreakMode::tension : BreakMode::shear;
-  }
+  if (s.damage >= 1.0) s.broken = break_mode(normal, s.hardening, p);
+}
+
+/// Traction at the present separation, Eqs. (D1), (D7).
+inline void set_traction(PointState& s, const LawParameters& p) {
+  const double pressure = std::max(0.0, -p.k_t * s.normal);
+  s.traction_n = s.integrity_n * p.k_t * std::max(0.0, s.normal) - pressure;
+  s.traction_s = s.integrity_s * p.k_s * (s.shear - s.slip) + s.friction;
 }
 
 /// Brings a contact point to a new separation (mm) and its traction up to date.
@@ -105,10 +114,9 @@ inline void update(PointState& s, double normal, double shear, const LawParamete
     damage_contact(s, normal, shear, stress_before, pressure * p.tan_phi, p);
     s.fracture_energy += path_work(traction_before, s.integrity_s * p.k_s * (shear - s.slip), slipped);
   }
-  s.traction_n = s.integrity_n * p.k_t * std::max(0.0, normal) - pressure;
-  s.traction_s = s.integrity_s * p.k_s * (shear - s.slip) + s.friction;
   s.normal = normal;
   s.shear = shear;
+  set_traction(s, p);
 }
 
 /// Recoverable energy of a contact point (N/mm), Eq. (D1).

@@ -110,7 +110,7 @@ double pair_potential(const GeneralContacts& general, const Touch& touch) {
 
 /// Forces of all touches, added to those of the triangles' corners.
 void press(GeneralContacts& general, const Particles& particles, double time_step, std::vector<Touch>& ended,
-           const ParallelLoops& loops, std::span<Vec2> triangle_forces) {
+           const ParallelLoops& loops, const ForceSlots& forces) {
   general.forces.resize(general.touches.size());
   const TouchContext context{general, particles, time_step};
   StepLosses losses = loops.sum_blocks<StepLosses>(general.touches.size(), [&](std::size_t begin, std::size_t end) {
@@ -125,18 +125,17 @@ void press(GeneralContacts& general, const Particles& particles, double time_ste
   general.largest_depth_handing_over = std::max(general.largest_depth_handing_over, losses.deepest_handing_over);
   for (std::size_t t = 0; t < general.touches.size(); ++t) {
     const MemberPair& pair = general.pairs[general.touches[t].pair];
-    Vec2* a = &triangle_forces[3 * general.members[pair.a].triangle];
-    Vec2* b = &triangle_forces[3 * general.members[pair.b].triangle];
+    const int a = 3 * general.members[pair.a].triangle, b = 3 * general.members[pair.b].triangle;
     for (int i = 0; i < 3; ++i) {
-      a[i] += general.forces[t][i];
-      b[i] += general.forces[t][3 + i];
+      forces.on_corner(a + i) += general.forces[t][i];
+      forces.on_corner(b + i) += general.forces[t][3 + i];
     }
   }
 }
 
 /// Eq. (C48) for every bonded contact that is handing over.
 void hand_over(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles,
-               std::span<Vec2> bonded_forces) {
+               const ForceSlots& forces) {
   general.set_free.resize(bonded.size());
   for (int c : general.handing_over) general.set_free[c] = 0.0;
   for (const Touch& touch : general.touches) {
@@ -144,8 +143,8 @@ void hand_over(GeneralContacts& general, const BondedContacts& bonded, const Par
     share_potential(general, bonded, general.pairs[touch.pair], pair_potential(general, touch), general.set_free);
   }
   for (int c : general.handing_over) {
-    if (bonded.hand_over[c].weight == 0.0) continue;
-    add_hand_over_force(bonded, c, general.set_free[c], particles.position, &bonded_forces[4 * c]);
+    if (bonded.weight(c) == 0.0) continue;
+    add_hand_over_force(bonded, c, general.set_free[c], particles.position, forces.all);
   }
 }
 
@@ -166,14 +165,13 @@ void update_frames(GeneralContacts& general, const Particles& particles, const P
   loops.for_blocks(general.members.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end; ++m) {
       const int t = general.members[m].triangle;
-      general.frames[m] = present_triangle(particles.shapes[t], particles.corners(t));
+      general.frames[m] = present_triangle(particles.shape(t), particles.corners(t));
     }
   });
 }
 
 void update_general_contacts(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles,
-                             double time_step, const ParallelLoops& loops, std::span<Vec2> triangle_forces,
-                             std::span<Vec2> bonded_forces) {
+                             double time_step, const ParallelLoops& loops, const ForceSlots& forces) {
   if (!general.law.enabled) return;
   if (general.search_due || general.travel > 0.5 * general.skin) search_pairs(general, bonded, particles, loops);
   if (general.pairs.empty()) return;
@@ -182,8 +180,8 @@ void update_general_contacts(GeneralContacts& general, const BondedContacts& bon
   std::vector<Touch> ended = remove_ended(general);
   append_begun(general, begun);
   enter_changes(general, ended);
-  press(general, particles, time_step, ended, loops, triangle_forces);
-  hand_over(general, bonded, particles, bonded_forces);
+  press(general, particles, time_step, ended, loops, forces);
+  hand_over(general, bonded, particles, forces);
 }
 
 GeneralContactEnergies general_contact_energies(const GeneralContacts& general, const ParallelLoops& loops) {

@@ -9,7 +9,6 @@
 #include "core/contact/contact_member.hpp"
 #include "core/contact/overlap.hpp"
 #include "core/contact/slip_ledger.hpp"
-#include "core/contact/surface_topology.hpp"
 #include "core/particles/particles.hpp"
 
 /// General contact: every exposed edge may touch any other. Eqs. (C40)-(C52) of core/contact/README.md.
@@ -75,7 +74,6 @@ using PairForces = std::array<Vec2, 6>;
 /// of a run.
 struct GeneralContacts {
   GeneralContactLaw law;
-  SurfaceTopology topology;
   double skin = 0;        ///< mm: pairs nearer than this are on the list.
   double stiffening = 0;  ///< 1/mm2, Eq. (C40).
 
@@ -99,8 +97,7 @@ struct GeneralContacts {
 };
 
 /// General contacts of a mesh; the skin is a fifth of the mean edge.
-GeneralContacts make_general_contacts(const Mesh& mesh, const BondedContacts& contacts, const Particles& particles,
-                                      const GeneralContactLaw& law);
+GeneralContacts make_general_contacts(const Particles& particles, const GeneralContactLaw& law);
 
 /// The members' triangles at the present positions.
 void update_frames(GeneralContacts& general, const Particles& particles, const ParallelLoops& loops);
@@ -109,12 +106,11 @@ void update_frames(GeneralContacts& general, const Particles& particles, const P
 void search_pairs(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles,
                   const ParallelLoops& loops);
 
-/// Forces of all touching pairs at the present positions, added to those of the triangles' corners
-/// (forces[3 t + i], N per mm of thickness); friction follows the last step's displacements, velocity times time_step
-/// (s). Call after update_contacts; hand-over forces are added to bonded_forces (four an edge).
+/// Adds the forces of all touching pairs at the present positions to those on the triangles' corners, and what
+/// hand-over gives back to those of the bonded contacts. Friction follows the last step's displacements, velocity times
+/// time_step (s). Call after update_contacts().
 void update_general_contacts(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles,
-                             double time_step, const ParallelLoops& loops, std::span<Vec2> triangle_forces,
-                             std::span<Vec2> bonded_forces);
+                             double time_step, const ParallelLoops& loops, const ForceSlots& forces);
 
 /// Energies stored in the contacts alive at the last update, N mm per mm of thickness: Eqs. (C42), (C49).
 struct GeneralContactEnergies {

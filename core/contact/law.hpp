@@ -26,10 +26,9 @@ struct PointState {
   double traction_n = 0, traction_s = 0;    ///< Traction then.
   double slip = 0;                          ///< Default law: slip of the intact share.
   double hardening = 0;                     ///< Default law: normalised shear displacement x.
-  double shear_secant = 1;                  ///< Default law: Eq. (D6) at x.
   double integrity_n = 1, integrity_s = 1;  ///< Default law: secant factors g_n, g_s, never growing.
   double friction = 0;                      ///< Shear traction carried by friction (broken share).
-  double largest = 0;                       ///< Literal law: delta_max, mm. Default law: largest kappa.
+  double largest = 0;                       ///< Literal law: delta_max, mm.
   double damage = 0;                        ///< D of Eq. (C5), never falling.
   double fracture_energy = 0;               ///< Spent on breaking the bond, never falling.
   double friction_energy = 0;               ///< Spent in friction, never falling.

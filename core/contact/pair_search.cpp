@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/base/units.hpp"
+#include "core/contact/corner_walk.hpp"
 #include "core/contact/general_contact.hpp"
 #include "core/geometry/near_boxes.hpp"
 
@@ -15,32 +16,37 @@ constexpr double kSkin = 0.2;
 /// strength overlap, so that flat contacts stay linear while a corner, whose contact is short, sinks in less.
 constexpr double kStiffeningDepth = 0.03;
 
-bool exposed(const SurfaceTopology& topology, const BondedContacts& bonded, int edge) {
-  const int joint = topology.joint[edge];
-  return joint == kOutline || (joint >= 0 && bonded.break_time[joint] >= 0.0);
+bool exposed(const BondedContacts& bonded, int edge) {
+  const int joint = bonded.joint(edge);
+  return joint == kOutline || (joint >= 0 && bonded.is_broken(joint));
 }
 
-std::vector<std::uint8_t> exposed_vertices(const SurfaceTopology& topology, const BondedContacts& bonded) {
-  std::vector<std::uint8_t> marked(topology.fan_begin.size() - 1, 0);
-  for (std::size_t t = 0; t < topology.vertex.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      if (!exposed(topology, bonded, static_cast<int>(3 * t) + k)) continue;
-      marked[topology.vertex[t][k]] = marked[topology.vertex[t][(k + 1) % 3]] = 1;
-    }
+int vertex_at(const Particles& particles, int corner) {
+  return particles.vertex[particles.triangles[corner / 3][corner % 3]];
+}
+
+std::vector<std::uint8_t> exposed_vertices(const BondedContacts& bonded, const Particles& particles) {
+  std::vector<std::uint8_t> marked(particles.vertices.size(), 0);
+  for (int edge = 0; edge < static_cast<int>(3 * particles.triangle_count()); ++edge) {
+    if (!exposed(bonded, edge)) continue;
+    marked[vertex_at(particles, edge)] = marked[vertex_at(particles, following_edge(edge))] = 1;
   }
   return marked;
 }
 
-std::vector<ContactMember> find_members(const SurfaceTopology& topology, const BondedContacts& bonded) {
-  const std::vector<std::uint8_t> marked = exposed_vertices(topology, bonded);
+std::vector<ContactMember> find_members(const BondedContacts& bonded, const Particles& particles) {
+  const std::vector<std::uint8_t> marked = exposed_vertices(bonded, particles);
   std::vector<ContactMember> members;
-  for (int t = 0; t < static_cast<int>(topology.vertex.size()); ++t) {
-    const auto& v = topology.vertex[t];
-    if (!marked[v[0]] && !marked[v[1]] && !marked[v[2]]) continue;
+  for (int t = 0; t < static_cast<int>(particles.triangle_count()); ++t) {
+    const int first = 3 * t;
+    if (!marked[vertex_at(particles, first)] && !marked[vertex_at(particles, first + 1)] &&
+        !marked[vertex_at(particles, first + 2)]) {
+      continue;
+    }
     ContactMember member{t, {-1, -1, -1}, {-1, -1, -1}, {-1, -1, -1}};
     for (int k = 0; k < 3; ++k) {
-      if (!exposed(topology, bonded, 3 * t + k)) continue;
-      const bool outline = topology.joint[3 * t + k] == kOutline;
+      if (!exposed(bonded, first + k)) continue;
+      const bool outline = bonded.joint(first + k) == kOutline;
       member.surface[k] = static_cast<int>(outline ? SurfaceKind::outline : SurfaceKind::fracture);
     }
     members.push_back(member);
@@ -49,23 +55,20 @@ std::vector<ContactMember> find_members(const SurfaceTopology& topology, const B
 }
 
 /// The exposed edge that goes on where an exposed edge ends: round the end's vertex until the material stops.
-int next_exposed(const SurfaceTopology& topology, const BondedContacts& bonded, int edge) {
-  int candidate = 3 * (edge / 3) + (edge % 3 + 1) % 3;
-  while (!exposed(topology, bonded, candidate)) {
-    const int beyond = topology.partner[candidate];
-    candidate = 3 * (beyond / 3) + (beyond % 3 + 1) % 3;
-  }
+int next_exposed(const BondedContacts& bonded, int edge) {
+  int candidate = following_edge(edge);
+  while (!exposed(bonded, candidate)) candidate = following_edge(bonded.partner(candidate));
   return candidate;
 }
 
-void link_surface(GeneralContacts& general, const BondedContacts& bonded) {
-  std::vector<int> member_of(general.topology.vertex.size(), -1);
+void link_surface(GeneralContacts& general, const BondedContacts& bonded, std::size_t triangles) {
+  std::vector<int> member_of(triangles, -1);
   for (std::size_t m = 0; m < general.members.size(); ++m) member_of[general.members[m].triangle] = static_cast<int>(m);
   for (std::size_t m = 0; m < general.members.size(); ++m) {
     ContactMember& member = general.members[m];
     for (int k = 0; k < 3; ++k) {
       if (member.surface[k] < 0) continue;
-      const int next = next_exposed(general.topology, bonded, 3 * member.triangle + k);
+      const int next = next_exposed(bonded, 3 * member.triangle + k);
       member.next[k] = 3 * member_of[next / 3] + next % 3;
       general.members[member_of[next / 3]].previous[next % 3] = static_cast<int>(3 * m) + k;
     }
@@ -103,8 +106,8 @@ constexpr double kWidestFan = 150.0 * units::kRadPerDeg;
 /// Fills a pair's chain, the broken contacts between its triangles that are still handing over.
 class ChainFinder {
  public:
-  ChainFinder(const SurfaceTopology& topology, const BondedContacts& bonded, std::vector<int>& list)
-      : topology_(topology), bonded_(bonded), list_(list) {}
+  ChainFinder(const BondedContacts& bonded, const Particles& particles, std::vector<int>& list)
+      : bonded_(bonded), particles_(particles), list_(list) {}
 
   /// False where the two are held together for good.
   bool operator()(int triangle_a, int triangle_b, MemberPair& pair) {
@@ -118,12 +121,14 @@ class ChainFinder {
  private:
   Hold find(int triangle_a, int triangle_b) {
     for (int k = 0; k < 3; ++k) {
-      const int partner = topology_.partner[3 * triangle_a + k];
-      if (partner >= 0 && partner / 3 == triangle_b) return follow(topology_.joint[3 * triangle_a + k]);
+      const int partner = bonded_.partner(3 * triangle_a + k);
+      if (partner >= 0 && partner / 3 == triangle_b) return follow(bonded_.joint(3 * triangle_a + k));
     }
-    for (int vertex : topology_.vertex[triangle_a]) {
-      const int a = place_in_fan(vertex, triangle_a), b = place_in_fan(vertex, triangle_b);
-      if (b >= 0) return around(topology_.fan_begin[vertex], topology_.fan_begin[vertex + 1], a, b);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        const int a = 3 * triangle_a + i, b = 3 * triangle_b + j;
+        if (vertex_at(particles_, a) == vertex_at(particles_, b)) return around(a, b);
+      }
     }
     return Hold::cut;
   }
@@ -134,13 +139,13 @@ class ChainFinder {
     bool narrow;  ///< The two can meet through it.
   };
 
-  /// Both ways round a vertex, from a to b and from b to a. The narrow ones count, and of two the looser one, since the
-  /// triangles meet through it. Where neither is narrow they cannot meet here while either way holds.
-  Hold around(int begin, int end, int a, int b) {
+  /// Both ways round a vertex, from corner a to b and from b to a. The narrow ones count, and of two the looser one,
+  /// since the triangles meet through it. Where neither is narrow they cannot meet here while either way holds.
+  Hold around(int a, int b) {
     const std::size_t before = list_.size();
-    const Way one = follow_way(begin, end, a, b);
+    const Way one = follow_way(a, b);
     const std::size_t middle = list_.size();
-    const Way other = follow_way(begin, end, b, a);
+    const Way other = follow_way(b, a);
     if (one.narrow && other.narrow) return std::max(one.hold, other.hold);
     if (!one.narrow && !other.narrow) return std::min(one.hold, other.hold);
     if (one.narrow) {
@@ -151,45 +156,37 @@ class ChainFinder {
     return other.hold;
   }
 
-  /// The joints counter-clockwise from one place in a fan to another; one that is cut leaves nothing on the list.
-  Way follow_way(int begin, int end, int from, int to) {
-    const int size = end - begin;
+  /// The joints counter-clockwise from one corner at a vertex to another; a way that is cut leaves nothing on the list.
+  Way follow_way(int from, int to) {
     const std::size_t before = list_.size();
     Way way{Hold::intact, true};
     double width = 0.0;
-    for (int place = from; place != to; place = (place + 1) % size) {
-      const FanEntry& entry = topology_.fan[begin + place];
-      if (place != from) width += entry.angle;
-      way.hold = std::max(way.hold, entry.joint == kOutline ? Hold::cut : follow(entry.joint));
-      way.narrow = way.narrow && entry.joint != kOutline && width <= kWidestFan;
+    for (int corner = from; corner != to; corner = next_corner(bonded_, corner)) {
+      if (corner != from) width += corner_angle(particles_, corner);
+      const int joint = bonded_.joint(arriving_edge(corner));
+      way.narrow = way.narrow && joint != kOutline && width <= kWidestFan;
+      way.hold = std::max(way.hold, joint == kOutline ? Hold::cut : follow(joint));
+      if (joint == kOutline) break;
     }
     if (way.hold == Hold::cut) list_.resize(before);
     return way;
   }
 
   Hold follow(int joint) {
-    if (joint < 0 || bonded_.break_time[joint] < 0.0) return Hold::intact;
-    if (bonded_.hand_over[joint].weight == 0.0) return Hold::cut;
+    if (joint < 0 || !bonded_.is_broken(joint)) return Hold::intact;
+    if (bonded_.weight(joint) == 0.0) return Hold::cut;
     list_.push_back(joint);
     return Hold::handing_over;
   }
 
-  int place_in_fan(int vertex, int triangle) const {
-    const int begin = topology_.fan_begin[vertex], end = topology_.fan_begin[vertex + 1];
-    for (int i = begin; i < end; ++i) {
-      if (topology_.fan[i].triangle == triangle) return i - begin;
-    }
-    return -1;
-  }
-
-  const SurfaceTopology& topology_;
   const BondedContacts& bonded_;
+  const Particles& particles_;
   std::vector<int>& list_;
 };
 
 void list_pairs(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles) {
   general.chain_contacts.clear();
-  ChainFinder find_chains(general.topology, bonded, general.chain_contacts);
+  ChainFinder find_chains(bonded, particles, general.chain_contacts);
   for (const auto& [a, b] : near_boxes(reach(general, particles))) {
     const PresentTriangle &ta = general.frames[a], &tb = general.frames[b];
     if (apart(ta, tb, general.skin) || apart(tb, ta, general.skin)) continue;
@@ -221,16 +218,14 @@ void carry_touches(GeneralContacts& general, const std::vector<std::array<int, 2
 
 }  // namespace
 
-GeneralContacts make_general_contacts(const Mesh& mesh, const BondedContacts& contacts, const Particles& particles,
-                                      const GeneralContactLaw& law) {
+GeneralContacts make_general_contacts(const Particles& particles, const GeneralContactLaw& law) {
   GeneralContacts general;
   general.law = law;
   if (!law.enabled) return general;
-  general.topology = make_surface_topology(mesh, contacts);
   double length = 0.0;
   for (std::size_t t = 0; t < particles.triangle_count(); ++t) {
     const auto& n = particles.triangles[t];
-    for (int k = 0; k < 3; ++k) length += norm(particles.reference[n[(k + 1) % 3]] - particles.reference[n[k]]);
+    for (int k = 0; k < 3; ++k) length += norm(particles.reference(n[(k + 1) % 3]) - particles.reference(n[k]));
   }
   const double mean_edge = length / (3.0 * static_cast<double>(particles.triangle_count()));
   general.skin = kSkin * mean_edge;
@@ -245,17 +240,15 @@ void search_pairs(GeneralContacts& general, const BondedContacts& bonded, const 
     const MemberPair& pair = general.pairs[touch.pair];
     triangles_of_touch.push_back({general.members[pair.a].triangle, general.members[pair.b].triangle});
   }
-  general.members = find_members(general.topology, bonded);
-  link_surface(general, bonded);
+  general.members = find_members(bonded, particles);
+  link_surface(general, bonded, particles.triangle_count());
   update_frames(general, particles, loops);
   general.pairs.clear();
   list_pairs(general, bonded, particles);
   carry_touches(general, triangles_of_touch);
   general.handing_over.clear();
   for (std::size_t c = 0; c < bonded.size(); ++c) {
-    if (bonded.break_time[c] >= 0.0 && bonded.hand_over[c].weight > 0.0) {
-      general.handing_over.push_back(static_cast<int>(c));
-    }
+    if (bonded.is_broken(c) && bonded.weight(c) > 0.0) general.handing_over.push_back(static_cast<int>(c));
   }
   general.travel = 0.0;
   general.search_due = 0;

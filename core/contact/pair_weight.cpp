@@ -15,7 +15,7 @@ std::span<const int> chain_of(const GeneralContacts& general, const MemberPair& 
 double product(const BondedContacts& bonded, std::span<const int> chain, int without) {
   double result = 1.0;
   for (int contact : chain) {
-    if (contact != without) result *= bonded.hand_over[contact].weight;
+    if (contact != without) result *= bonded.weight(contact);
   }
   return result;
 }

@@ -11,7 +11,7 @@ DisjointSets bonded_pieces(const BondedContacts& contacts, const Particles& p) {
     pieces.join(first, t);
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (contacts.break_time[c] < 0.0) pieces.join(contacts.edges[c].left_triangle, contacts.edges[c].right_triangle);
+    if (!contacts.is_broken(c)) pieces.join(contacts.edges[c].left_triangle(), contacts.edges[c].right_triangle());
   }
   return pieces;
 }

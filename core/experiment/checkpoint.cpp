@@ -92,10 +92,10 @@ void exchange(Archive& archive, SystemType& system, StateType& state) {
   archive(system.platen_shear);
   archive(system.particles.position);
   archive(system.particles.velocity);
-  archive(system.contacts.points);
-  archive(system.contacts.break_time);
-  archive(system.contacts.hand_over);
-  archive(system.contacts.end_stops);
+  archive(system.contacts.memory.packed);
+  archive(system.contacts.memory.literal);
+  archive(system.contacts.broken_index);
+  archive(system.contacts.broken);
   exchange_general(archive, system.general);
   archive(state.loading);
   archive(state.samples);

@@ -17,7 +17,7 @@ void add_linear_velocity_field(Model& model, double rate) {
   const double height = specimen_height(model.config.experiment);
   for (std::size_t i = 0; i < p.node_count(); ++i) {
     const Vec2 before = p.velocity[i];
-    p.velocity[i].y += rate * (0.5 - p.reference[i].y / height);
+    p.velocity[i].y += rate * (0.5 - p.reference(i).y / height);
     model.system.initial_kinetic += 0.5 * p.mass[i] * (dot(p.velocity[i], p.velocity[i]) - dot(before, before));
   }
   set_closing_rate(model.system.platens, rate);

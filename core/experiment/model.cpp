@@ -1,6 +1,7 @@
 #include "core/experiment/model.hpp"
 
 #include <algorithm>
+#include <map>
 #include <thread>
 
 #include "core/base/error.hpp"
@@ -46,18 +47,20 @@ Platens make_platens(const RunConfig& config) {
 constexpr double kSkin = 0.02;
 
 /// Springs that spread the penalty over the loaded edges (ends or rim), half an edge on each of its nodes.
-std::vector<PlatenSpring> make_platen_springs(const RunConfig& config, const Mesh& mesh, const Particles& p,
-                                              double k_t) {
+PlatenSprings make_platen_springs(const RunConfig& config, const Mesh& mesh, const Particles& p, double k_t) {
   const double penalty = config.experiment.platens.stiffness_mpa_per_mm.value_or(k_t);
-  std::vector<PlatenSpring> springs(p.node_count());
+  std::map<int, PlatenSpring> loaded;
   for (const MeshEdge& e : mesh_edges(mesh)) {
     if (e.boundary != Boundary::bottom && e.boundary != Boundary::top && e.boundary != Boundary::rim) continue;
     const double half = 0.5 * norm(mesh.vertices[e.b] - mesh.vertices[e.a]) * penalty;
-    springs[node_of(p, e.left, e.a)].stiffness += half;
-    springs[node_of(p, e.left, e.b)].stiffness += half;
+    loaded[node_of(p, e.left, e.a)].stiffness += half;
+    loaded[node_of(p, e.left, e.b)].stiffness += half;
   }
-  for (PlatenSpring& spring : springs) {
-    if (spring.stiffness == 0.0) spring = {0.5 * config.particles.edge_mm * penalty, kSkin * config.particles.edge_mm};
+  PlatenSprings springs;
+  springs.other = {0.5 * config.particles.edge_mm * penalty, kSkin * config.particles.edge_mm};
+  for (const auto& [node, spring] : loaded) {
+    springs.nodes.push_back(node);
+    springs.springs.push_back(spring);
   }
   return springs;
 }
@@ -93,8 +96,7 @@ Model build_model(const RunConfig& config, const ParallelLoops& loops) {
   System& system = model.system;
   system.particles = make_particles(model.mesh, config.particles, config.experiment.plane);
   system.contacts = make_contacts(model.mesh, system.particles, law, config.contacts.law.reading);
-  system.general =
-      make_general_contacts(model.mesh, system.contacts, system.particles, general_contact_law(config.contacts, law));
+  system.general = make_general_contacts(system.particles, general_contact_law(config.contacts, law));
   if (config.contacts.general.enabled) system.contacts.hand_over_range = kHandOverRange;
   system.platens = make_platens(config);
   system.platen_springs = make_platen_springs(config, model.mesh, system.particles, law.k_t);

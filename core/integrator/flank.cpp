@@ -7,7 +7,7 @@ namespace {
 
 bool on_platen(const System& system, int node) {
   const double y = system.particles.position[node].y;
-  const double skin = system.platen_springs[node].skin;
+  const double skin = system.platen_springs.at(node).skin;
   return y < system.platens.y[0] - skin || y > system.platens.y[1] + skin;
 }
 
@@ -31,10 +31,10 @@ std::vector<std::array<int, 2>> touching_triangles(const System& system) {
   }
   const BondedContacts& contacts = system.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (contacts.break_time[c] < 0.0) continue;
-    const auto& points = contacts.points[c];
+    if (!contacts.is_broken(c)) continue;
+    const auto points = contacts.points(c);
     if (points[0].traction_n < 0.0 || points[1].traction_n < 0.0) {
-      touching.push_back({contacts.edges[c].left_triangle, contacts.edges[c].right_triangle});
+      touching.push_back({contacts.edges[c].left_triangle(), contacts.edges[c].right_triangle()});
     }
   }
   return touching;
@@ -45,17 +45,39 @@ std::vector<ExposedEdge> present_surface(const System& system) {
   std::vector<ExposedEdge> surface = system.flank.outline;
   const BondedContacts& contacts = system.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (contacts.break_time[c] < 0.0) continue;
+    if (!contacts.is_broken(c)) continue;
     const ContactEdge& e = contacts.edges[c];
-    surface.push_back({{e.left1, e.left2}, e.left_triangle, on_platen(system, e.left1) && on_platen(system, e.left2)});
     surface.push_back(
-        {{e.right2, e.right1}, e.right_triangle, on_platen(system, e.right1) && on_platen(system, e.right2)});
+        {{e.left1, e.left2}, e.left_triangle(), on_platen(system, e.left1) && on_platen(system, e.left2)});
+    surface.push_back(
+        {{e.right2, e.right1}, e.right_triangle(), on_platen(system, e.right1) && on_platen(system, e.right2)});
   }
   return surface;
 }
 
 bool anything_broken(const BondedContacts& contacts) {
-  return std::any_of(contacts.break_time.begin(), contacts.break_time.end(), [](double time) { return time >= 0.0; });
+  return std::any_of(contacts.broken.begin(), contacts.broken.end(),
+                     [](const BrokenEdge& b) { return b.break_time >= 0.0; });
+}
+
+/// Whether the loads' nodes are those of the edges.
+bool is_listed(const NodeLoads& loads, const std::vector<LoadedEdge>& edges) {
+  return std::equal(edges.begin(), edges.end(), loads.places.begin(), loads.places.end(),
+                    [&](const LoadedEdge& e, const std::array<int, 2>& place) {
+                      return loads.nodes[place[0]] == e.nodes[0] && loads.nodes[place[1]] == e.nodes[1];
+                    });
+}
+
+void list_loaded_nodes(NodeLoads& loads, const std::vector<LoadedEdge>& edges) {
+  loads = {};
+  for (const LoadedEdge& e : edges) loads.nodes.insert(loads.nodes.end(), e.nodes.begin(), e.nodes.end());
+  std::sort(loads.nodes.begin(), loads.nodes.end());
+  loads.nodes.erase(std::unique(loads.nodes.begin(), loads.nodes.end()), loads.nodes.end());
+  loads.forces.resize(loads.nodes.size());
+  const auto place_of = [&](int node) {
+    return static_cast<int>(std::lower_bound(loads.nodes.begin(), loads.nodes.end(), node) - loads.nodes.begin());
+  };
+  for (const LoadedEdge& e : edges) loads.places.push_back({place_of(e.nodes[0]), place_of(e.nodes[1])});
 }
 
 }  // namespace
@@ -63,9 +85,6 @@ bool anything_broken(const BondedContacts& contacts) {
 void follow_outer_surface(System& system) {
   if (system.flank.pressure == 0.0 || system.step % kFlankInterval != 0 || !system.general.law.enabled) return;
   if (!anything_broken(system.contacts)) return;
-  for (const LoadedEdge& e : system.flank.edges) {
-    for (int node : e.nodes) system.external_force[node] = {0, 0};
-  }
   const Particles& p = system.particles;
   const std::vector<std::uint8_t> carries =
       carrying_triangles(system.contacts, p, triangles_on_platen(system), touching_triangles(system));
@@ -74,12 +93,17 @@ void follow_outer_surface(System& system) {
 }
 
 void apply_flank_pressure(System& system) {
-  for (const LoadedEdge& e : system.flank.edges) {
-    for (int node : e.nodes) system.external_force[node] = {0, 0};
+  NodeLoads& loads = system.loads;
+  const std::vector<LoadedEdge>& edges = system.flank.edges;
+  if (system.flank.pressure == 0.0) {
+    loads = {};
+    return;
   }
-  for (const LoadedEdge& e : system.flank.edges) {
-    const Vec2 force = pressure_on_end(e, system.particles.position, system.flank.pressure);
-    for (int node : e.nodes) system.external_force[node] += force;
+  if (!is_listed(loads, edges)) list_loaded_nodes(loads, edges);
+  std::fill(loads.forces.begin(), loads.forces.end(), Vec2{});
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Vec2 force = pressure_on_end(edges[i], system.particles.position, system.flank.pressure);
+    for (int place : loads.places[i]) loads.forces[place] += force;
   }
 }
 

@@ -10,7 +10,7 @@ inline constexpr std::int64_t kFlankInterval = 64;
 /// (I15), (I16). Pieces that touch neither a platen nor a held piece carry nothing. Call after the contacts' update.
 void follow_outer_surface(System& system);
 
-/// Sets external_force to the pressure on the loaded edges at the present positions, Eq. (I17).
+/// Sets the nodes' loads to the pressure on the loaded edges at the present positions, Eq. (I17).
 void apply_flank_pressure(System& system);
 
 }  // namespace asperity

@@ -29,16 +29,16 @@ constexpr const char* kStepHint =
 void check_state(const System& system) {
   const Particles& p = system.particles;
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
-    const double jacobian = deformation_gradient(p.shapes[t], p.corners(t)).jacobian();
-    const Vec2 place = p.reference[p.triangles[t][0]];
+    const double jacobian = deformation_gradient(p.shape(t), p.corners(t)).jacobian();
+    const Vec2 place = p.reference(p.triangles[t][0]);
     if (!std::isfinite(jacobian)) stop(system, place, "a position is not finite", kStepHint);
     if (jacobian <= 0.0) stop(system, place, "a particle has turned over", kStepHint);
   }
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const ContactEdge& e = system.contacts.edges[c];
-    for (const PointState& s : system.contacts.points[c]) {
+    for (const PointState& s : system.contacts.points(c)) {
       if (-s.normal > 0.5 * e.length) {
-        stop(system, p.reference[e.left1], "two faces overlap by more than half their edge",
+        stop(system, p.reference(e.left1), "two faces overlap by more than half their edge",
              "stresses far above k_t times the edge length; check units of stiffness and confining pressure");
       }
     }
@@ -57,7 +57,7 @@ void check_overlaps(const System& system) {
 void check_energy(const System& system, const EnergyBalance& energy) {
   const double given = energy.external_work + std::max(0.0, energy.created_by_law);
   if (energy.kinetic > given && energy.kinetic > 1e-9) {
-    stop(system, system.particles.reference[0], "kinetic energy exceeds the work done on the model", kStepHint);
+    stop(system, system.particles.reference(0), "kinetic energy exceeds the work done on the model", kStepHint);
   }
 }
 

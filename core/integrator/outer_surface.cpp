@@ -124,7 +124,7 @@ std::vector<std::uint8_t> carrying_triangles(const BondedContacts& contacts, con
 std::vector<int> joined_nodes(const BondedContacts& contacts, std::size_t node_count) {
   DisjointSets groups(node_count);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (contacts.break_time[c] >= 0.0) continue;
+    if (contacts.is_broken(c)) continue;
     groups.join(contacts.edges[c].left1, contacts.edges[c].right1);
     groups.join(contacts.edges[c].left2, contacts.edges[c].right2);
   }

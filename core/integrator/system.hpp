@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/parallel.hpp"
@@ -25,6 +26,27 @@ struct Platens {
 struct PlatenSpring {
   double stiffness = 0;
   double skin = 0;
+};
+
+/// The springs of all nodes: those of the loaded edges' nodes apart, in ascending order, the others' alike.
+struct PlatenSprings {
+  std::vector<int> nodes;
+  std::vector<PlatenSpring> springs;  ///< Of `nodes`.
+  PlatenSpring other;
+  PlatenSpring at(std::size_t node) const;
+};
+
+/// External forces (N per mm of thickness) on the few nodes that bear any, in ascending order.
+struct NodeLoads {
+  std::vector<int> nodes;
+  std::vector<Vec2> forces;
+  std::vector<std::array<int, 2>> places;  ///< Of each loaded edge's two nodes in `nodes`.
+  Vec2 at(std::size_t node) const;         ///< 0 where there is none.
+};
+
+/// Per node, which forces act on it (compressed rows); only where particles share nodes.
+struct NodeGather {
+  std::vector<int> begin, index;
 };
 
 /// Confining pressure (MPa) on the edges of the present outer surface.
@@ -77,20 +99,23 @@ struct System {
   std::int64_t step = 0;
   double initial_kinetic = 0;
 
-  std::vector<PlatenSpring> platen_springs;  ///< Of each node; empty without platens.
-  std::vector<double> platen_shear;          ///< Tangential platen force on each node along x.
-  NodeSums sums;                             ///< Of the last velocity update.
+  Kernel kernel = Kernel::fast;  ///< Set before prepare().
+
+  PlatenSprings platen_springs;
+  std::vector<double> platen_shear;  ///< Tangential platen force on each node along x; empty: no friction.
+  NodeSums sums;                     ///< Of the last velocity update.
   double external_work = 0, damping_energy = 0, platen_friction_energy = 0;  ///< Up to the present instant, see step().
 
-  std::vector<Vec2> forces;            ///< Three for each triangle, then four for each contact edge.
-  std::vector<Vec2> external_force;    ///< Flank pressure on each node.
-  std::vector<int> slot_begin, slots;  ///< Per node: which entries of forces act on it.
+  std::vector<Vec2> forces;  ///< Slots of triangle edges (force_slots.hpp), then corners where triangles write theirs.
+  NodeLoads loads;           ///< Flank pressure.
+  NodeGather gather;
 };
 
-/// Allocates the work arrays and the node's lists of force contributions (CSR). Call once particles and contacts stand.
+/// Allocates the work arrays. Call once particles, contacts and kernel stand.
 void prepare(System& system);
 
-/// Forces of triangles and contacts at the present positions.
+/// Forces at the present positions. Where every triangle has its own nodes, the fast kernel leaves the triangles' share
+/// to update_velocities().
 void compute_forces(System& system, const ParallelLoops& loops);
 
 /// Velocities half a step ahead: Eqs. (I1)-(I4); fills system.sums. Positions stay.
@@ -99,8 +124,14 @@ void update_velocities(System& system, const ParallelLoops& loops);
 /// Positions and platens one step ahead, Eq. (I2).
 void update_positions(System& system, const ParallelLoops& loops);
 
-/// Net force of triangles and contacts on a node, gathered in fixed order.
+/// update_velocities() and update_positions() in one pass, to the same bits; for steps whose energies nobody asks for.
+void update_motion(System& system, const ParallelLoops& loops);
+
+/// Net force of triangles and contacts on a node, gathered in fixed order; valid after compute_forces().
 Vec2 internal_force(const System& system, std::size_t node);
+
+/// The same from a list of forces laid out as `System::forces` with corners.
+Vec2 gather_force(const System& system, std::size_t node, std::span<const Vec2> forces);
 
 /// All energies at the present instant; valid between update_velocities and update_positions.
 EnergyBalance energy_balance(const System& system, const ParallelLoops& loops);

@@ -57,18 +57,20 @@ LawParameters stiffest_law(const System& system) {
 std::vector<double> ground_springs(const System& system) {
   const Particles& p = system.particles;
   std::vector<double> springs(p.node_count(), 0.0);
-  const SurfaceTopology& topology = system.general.topology;
-  for (std::size_t edge = 0; edge < topology.joint.size(); ++edge) {
-    if (topology.joint[edge] != kOutline) continue;
+  const int edges = system.general.law.enabled ? static_cast<int>(3 * p.triangle_count()) : 0;
+  for (int edge = 0; edge < edges; ++edge) {
+    if (system.contacts.joint(edge) != kOutline) continue;
     const auto& nodes = p.triangles[edge / 3];
     const int a = nodes[edge % 3], b = nodes[(edge % 3 + 1) % 3];
     const SurfaceLaw& law = system.general.law.surfaces[static_cast<int>(SurfaceKind::outline)];
-    const double stiffness = std::max(law.k_n, law.k_s) * norm(p.reference[b] - p.reference[a]);
+    const double stiffness = std::max(law.k_n, law.k_s) * norm(p.reference(b) - p.reference(a));
     springs[a] += stiffness;
     springs[b] += stiffness;
   }
-  for (std::size_t i = 0; i < system.platen_springs.size(); ++i) {
-    springs[i] = std::max(springs[i], system.platen_springs[i].stiffness);
+  if (system.platens.present) {
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+      springs[i] = std::max(springs[i], system.platen_springs.at(i).stiffness);
+    }
   }
   return springs;
 }
@@ -79,28 +81,29 @@ std::vector<Vec2> apply_stiffness(const System& system, const std::vector<double
   const Particles& p = system.particles;
   const std::size_t triangles = p.triangle_count();
   const LawParameters law = stiffest_law(system);
-  std::vector<Vec2> forces(system.forces.size());
+  const std::size_t corners = 2 * system.contacts.slot_count();
+  std::vector<Vec2> forces(corners + 3 * triangles);
   loops.for_blocks(triangles, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const auto& n = p.triangles[t];
-      const auto f = linear_triangle(p.shapes[t], {u[n[0]], u[n[1]], u[n[2]]}, p.elastic);
-      for (std::size_t i = 0; i < 3; ++i) forces[3 * t + i] = f[i];
+      const auto f = linear_triangle(p.shape(t), {u[n[0]], u[n[1]], u[n[2]]}, p.elastic);
+      for (std::size_t i = 0; i < 3; ++i) forces[corners + 3 * t + i] = f[i];
     }
   });
   loops.for_blocks(system.contacts.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       const ContactEdge& e = system.contacts.edges[c];
-      const auto f =
-          linear_contact(e, contact_frame(e, p.reference), {u[e.left1], u[e.left2], u[e.right1], u[e.right2]}, law);
-      for (std::size_t i = 0; i < 4; ++i) forces[3 * triangles + 4 * c + i] = f[i];
+      const auto f = linear_contact(e, reference_frame(e, p), {u[e.left1], u[e.left2], u[e.right1], u[e.right2]}, law);
+      forces[force_index(c, ContactNode::left1)] = f[0];
+      forces[force_index(c, ContactNode::left2)] = f[1];
+      forces[force_index(c, ContactNode::right1)] = f[2];
+      forces[force_index(c, ContactNode::right2)] = f[3];
     }
   });
   std::vector<Vec2> result(u.size());
   loops.for_blocks(u.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node) {
-      Vec2 sum = springs[node] * u[node];
-      for (int i = system.slot_begin[node]; i < system.slot_begin[node + 1]; ++i) sum += forces[system.slots[i]];
-      result[node] = sum;
+      result[node] = springs[node] * u[node] + gather_force(system, node, forces);
     }
   });
   return result;
@@ -133,10 +136,10 @@ std::vector<double> gershgorin_rows(const System& system) {
   const LawParameters law = stiffest_law(system);
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
     add_row_sums<3>(
-        p.triangles[t], [&](const auto& u) { return linear_triangle(p.shapes[t], u, p.elastic); }, rows);
+        p.triangles[t], [&](const auto& u) { return linear_triangle(p.shape(t), u, p.elastic); }, rows);
   }
   for (const ContactEdge& e : system.contacts.edges) {
-    const ContactFrame frame = contact_frame(e, p.reference);
+    const ContactFrame frame = reference_frame(e, p);
     add_row_sums<4>(
         {e.left1, e.left2, e.right1, e.right2}, [&](const auto& u) { return linear_contact(e, frame, u, law); }, rows);
   }

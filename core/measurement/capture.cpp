@@ -13,8 +13,8 @@ std::vector<double> triangle_damage(const System& system) {
   std::vector<int> count(sum.size(), 0);
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const ContactEdge& e = system.contacts.edges[c];
-    for (int t : {e.left_triangle, e.right_triangle}) {
-      sum[t] += edge_damage(system.contacts.points[c]);
+    for (int t : {e.left_triangle(), e.right_triangle()}) {
+      sum[t] += edge_damage(system.contacts.points(c));
       ++count[t];
     }
   }
@@ -50,7 +50,7 @@ Frame capture_frame(const System& system, const RunConfig& config, std::span<con
   frame.confining_pressure_mpa = system.flank.pressure;
   frame.position = p.position;
   frame.velocity = p.velocity;
-  for (std::size_t i = 0; i < p.node_count(); ++i) frame.displacement.push_back(p.position[i] - p.reference[i]);
+  for (std::size_t i = 0; i < p.node_count(); ++i) frame.displacement.push_back(p.position[i] - p.reference(i));
   frame.triangles = p.triangles;
   for (std::size_t t = 0; t < p.triangle_count(); ++t) frame.stress.push_back(triangle_stress(p, t));
   frame.damage = triangle_damage(system);

@@ -23,21 +23,21 @@ struct PairForce {
 void add_edge(PairForce& pair, const BondedContacts& contacts, std::size_t c, const Particles& p, double thickness_mm) {
   const ContactEdge& e = contacts.edges[c];
   const double area = 0.5 * e.length * thickness_mm;
-  for (const PointState& point : contacts.points[c]) {
+  for (const PointState& point : contacts.points(c)) {
     pair.normal_n -= area * point.traction_n;
     pair.shear_n += area * point.traction_s;
   }
   const Vec2 middle = 0.25 * (p.position[e.left1] + p.position[e.left2] + p.position[e.right1] + p.position[e.right2]);
   pair.length_mm += e.length;
   pair.moment_of_length += e.length * middle;
-  pair.bonded = pair.bonded || contacts.break_time[c] < 0.0;
+  pair.bonded = pair.bonded || !contacts.is_broken(c);
 }
 
 std::vector<PairForce> pair_forces(const BondedContacts& contacts, const Particles& p, double thickness_mm) {
   std::map<std::pair<int, int>, std::size_t> place;
   std::vector<PairForce> pairs;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const int left = p.grain[contacts.edges[c].left_triangle], right = p.grain[contacts.edges[c].right_triangle];
+    const int left = p.grain[contacts.edges[c].left_triangle()], right = p.grain[contacts.edges[c].right_triangle()];
     const auto [entry, is_new] = place.try_emplace(std::minmax(left, right), pairs.size());
     if (is_new) pairs.push_back({left, right, 0, 0, 0, {}, false});
     add_edge(pairs[entry->second], contacts, c, p, thickness_mm);
@@ -68,8 +68,8 @@ std::vector<Vec2> particle_centres(const Particles& p) {
       area.resize(particle + 1, 0.0);
     }
     const auto [a, b, c] = p.corners(t);
-    centre[particle] += (p.shapes[t].area / 3.0) * (a + b + c);
-    area[particle] += p.shapes[t].area;
+    centre[particle] += (p.shape(t).area / 3.0) * (a + b + c);
+    area[particle] += p.shape(t).area;
   }
   for (std::size_t i = 0; i < centre.size(); ++i) {
     if (area[i] > 0.0) centre[i] = (1.0 / area[i]) * centre[i];

@@ -12,7 +12,7 @@ Fragments find_fragments(const BondedContacts& contacts, const Particles& p) {
   std::vector<int> roots;
   for (std::size_t t = 0; t < root.size(); ++t) {
     if (root[t] == static_cast<int>(t)) roots.push_back(root[t]);
-    area[root[t]] += p.shapes[t].area;
+    area[root[t]] += p.shape(t).area;
   }
   std::stable_sort(roots.begin(), roots.end(), [&](int a, int b) { return area[a] > area[b]; });
   Fragments fragments;

@@ -27,7 +27,7 @@ Gauges make_gauges(const Particles& p, const ExperimentConfig& experiment, const
   const double middle = 0.5 * experiment.height_mm;
   const double half_width = 0.5 * experiment.width_mm;
   for (std::size_t i = 0; i < p.node_count(); ++i) {
-    const Vec2 x = p.reference[i];
+    const Vec2 x = p.reference(i);
     for (int side = 0; side < 2; ++side) {
       const double sign = side == 0 ? -1.0 : 1.0;
       if (std::abs(x.y - (middle + sign * 0.5 * m.axial_gauge_mm)) <= edge_mm)
@@ -39,7 +39,7 @@ Gauges make_gauges(const Particles& p, const ExperimentConfig& experiment, const
   }
   refuse_empty(gauges.axial, "/measurement/axial_gauge_mm");
   refuse_empty(gauges.lateral, "/measurement/lateral_gauge_mm");
-  const auto height = [&](int node) { return p.reference[node].y; };
+  const auto height = [&](int node) { return p.reference(node).y; };
   gauges.axial_base_mm = mean(gauges.axial[1], height) - mean(gauges.axial[0], height);
   gauges.lateral_base_mm = experiment.width_mm;
   return gauges;
@@ -47,8 +47,8 @@ Gauges make_gauges(const Particles& p, const ExperimentConfig& experiment, const
 
 GaugeReading read_gauges(const Gauges& gauges, const Particles& p) {
   if (gauges.axial_base_mm == 0.0) return {};
-  const auto along = [&](int node) { return p.position[node].y - p.reference[node].y; };
-  const auto across = [&](int node) { return p.position[node].x - p.reference[node].x; };
+  const auto along = [&](int node) { return p.position[node].y - p.reference(node).y; };
+  const auto across = [&](int node) { return p.position[node].x - p.reference(node).x; };
   return {(mean(gauges.axial[0], along) - mean(gauges.axial[1], along)) / gauges.axial_base_mm,
           (mean(gauges.lateral[1], across) - mean(gauges.lateral[0], across)) / gauges.lateral_base_mm};
 }

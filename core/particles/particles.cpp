@@ -19,12 +19,30 @@ void number_nodes(const Mesh& mesh, Particles& particles) {
           node_of.try_emplace({mesh.grain[t], vertex}, static_cast<int>(particles.vertex.size()));
       if (added) {
         particles.vertex.push_back(vertex);
-        particles.reference.push_back(mesh.vertices[vertex]);
       }
       nodes[i] = entry->second;
     }
     particles.triangles.push_back(nodes);
   }
+}
+
+/// Whether node 3 t + k is corner k of triangle t, and of no other.
+bool nodes_are_separate(const Particles& particles) {
+  if (particles.vertex.size() != 3 * particles.triangles.size()) return false;
+  for (int t = 0; t < static_cast<int>(particles.triangles.size()); ++t) {
+    if (particles.triangles[t] != std::array{3 * t, 3 * t + 1, 3 * t + 2}) return false;
+  }
+  return true;
+}
+
+void pack_shape(Particles& particles, std::size_t t, const TriangleShape& shape) {
+  PackedShapes& block = particles.shapes[t / PackedShapes::kSize];
+  const std::size_t i = t % PackedShapes::kSize;
+  block.g1x[i] = shape.gradient[1].x;
+  block.g1y[i] = shape.gradient[1].y;
+  block.g2x[i] = shape.gradient[2].x;
+  block.g2y[i] = shape.gradient[2].y;
+  block.area[i] = shape.area;
 }
 
 }  // namespace
@@ -33,26 +51,32 @@ Particles make_particles(const Mesh& mesh, const ParticleConfig& config, PlaneCo
   Particles particles;
   particles.elastic = elastic_constants(config.youngs_modulus_gpa * units::kMpaPerGpa, config.poissons_ratio, plane);
   particles.grain = mesh.grain;
+  particles.vertices = mesh.vertices;
   number_nodes(mesh, particles);
-  particles.position = particles.reference;
-  particles.velocity.assign(particles.node_count(), {});
-  particles.mass.assign(particles.node_count(), 0.0);
+  particles.separate = nodes_are_separate(particles);
+  const std::size_t nodes = particles.vertex.size();
+  for (std::size_t i = 0; i < nodes; ++i) particles.position.push_back(particles.reference(i));
+  particles.velocity.assign(nodes, {});
+  particles.mass.assign(nodes, 0.0);
+  particles.shapes.assign((mesh.triangles.size() + PackedShapes::kSize - 1) / PackedShapes::kSize, PackedShapes{});
   const double density = config.density_kg_per_m3 * units::kTonnePerMm3PerKgPerM3;
-  for (const auto& nodes : particles.triangles) {
-    particles.shapes.push_back(
-        triangle_shape(particles.reference[nodes[0]], particles.reference[nodes[1]], particles.reference[nodes[2]]));
-    for (int node : nodes) particles.mass[node] += density * particles.shapes.back().area / 3.0;
+  for (std::size_t t = 0; t < particles.triangles.size(); ++t) {
+    const auto& n = particles.triangles[t];
+    const TriangleShape shape =
+        triangle_shape(particles.reference(n[0]), particles.reference(n[1]), particles.reference(n[2]));
+    pack_shape(particles, t, shape);
+    for (int node : n) particles.mass[node] += density * shape.area / 3.0;
   }
   return particles;
 }
 
 double triangle_energy(const Particles& particles, std::size_t t) {
-  const TriangleShape& shape = particles.shapes[t];
+  const TriangleShape shape = particles.shape(t);
   return shape.area * biot_state(deformation_gradient(shape, particles.corners(t)), particles.elastic).energy_density();
 }
 
 std::array<double, 4> triangle_stress(const Particles& particles, std::size_t t) {
-  const DeformationGradient f = deformation_gradient(particles.shapes[t], particles.corners(t));
+  const DeformationGradient f = deformation_gradient(particles.shape(t), particles.corners(t));
   return cauchy_stress(f, biot_state(f, particles.elastic), particles.elastic);
 }
 

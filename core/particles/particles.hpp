@@ -9,23 +9,40 @@
 
 namespace asperity {
 
+/// Shapes of eight triangles, field by field: gradients of the second and third shape function (1/mm) and area (mm2).
+/// The first gradient is minus the sum of the others.
+struct alignas(64) PackedShapes {
+  static constexpr std::size_t kSize = 8;
+  using Row = std::array<double, kSize>;
+  Row g1x, g1y, g2x, g2y, area;
+};
+
 /// The deformable particles: nodes that belong to one particle alone, and constant-strain triangles between them.
 /// Lengths mm, velocities mm/s, masses tonne per mm of thickness. Velocities belong to the half step before the
 /// positions.
 struct Particles {
-  std::vector<Vec2> reference, position, velocity;
+  std::vector<Vec2> position, velocity;
   std::vector<double> mass;
-  std::vector<int> vertex;  ///< Mesh vertex of each node.
+  std::vector<int> vertex;     ///< Mesh vertex of each node.
+  std::vector<Vec2> vertices;  ///< The mesh's, where nodes are at rest.
   std::vector<std::array<int, 3>> triangles;
-  std::vector<TriangleShape> shapes;
+  std::vector<PackedShapes> shapes;
   std::vector<int> grain;
   ElasticConstants elastic;
+  bool separate = false;  ///< Every triangle is a particle, and its nodes are 3 t, 3 t + 1, 3 t + 2.
 
   std::size_t node_count() const { return position.size(); }
   std::size_t triangle_count() const { return triangles.size(); }
   std::array<Vec2, 3> corners(std::size_t t) const {
     const auto& n = triangles[t];
     return {position[n[0]], position[n[1]], position[n[2]]};
+  }
+  Vec2 reference(std::size_t node) const { return vertices[vertex[node]]; }
+  TriangleShape shape(std::size_t t) const {
+    const PackedShapes& block = shapes[t / PackedShapes::kSize];
+    const std::size_t i = t % PackedShapes::kSize;
+    const Vec2 g1{block.g1x[i], block.g1y[i]}, g2{block.g2x[i], block.g2y[i]};
+    return {{Vec2{} - (g1 + g2), g1, g2}, block.area[i]};
   }
 };
 

@@ -74,7 +74,7 @@ struct Passage {
     broken = test::broken(system.contacts);
     released = test::released(system.contacts);
     if (broken < static_cast<int>(system.contacts.size())) return;
-    mode = edge_break_mode(system.contacts.points[0]);
+    mode = edge_break_mode(system.contacts.points(0));
     const Vec2 force = test::force_on(system, 1);
     if (watching) jump = std::max(jump, norm(force - before));
     largest = std::max(largest, norm(force));
@@ -99,7 +99,7 @@ Passage pass(const Trial& trial) {
   System system = bonded_block(trial.edges, 0.2 * trial.step);
   test::hold(system, 0);
   for (int node : test::nodes_of(system, 1)) {
-    if (trial.rigid || system.particles.reference[node].y > 1.0) system.held[node] = 1;
+    if (trial.rigid || system.particles.reference(node).y > 1.0) system.held[node] = 1;
   }
   if (!trial.rigid) system.local_damping = 0.4;
   Passage passage;
@@ -162,17 +162,13 @@ System handing_over_wheel(RandomStream& random) {
   system.particles = make_particles(bodies.mesh, config.particles, config.experiment.plane);
   system.contacts = make_contacts(bodies.mesh, system.particles, law, LawReading::consistent);
   const SurfaceLaw surface{0.0, 1.7 * law.k_t, law.k_s};
-  system.general = make_general_contacts(bodies.mesh, system.contacts, system.particles, {true, {surface, surface}, 0});
+  system.general = make_general_contacts(system.particles, {true, {surface, surface}, 0});
   system.contacts.hand_over_range = kHandOverRange;
   prepare(system);
   system.time_step = 0.2 * critical_time_step(system, kLoops);
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
-    system.contacts.break_time[c] = 0.0;
-    for (PointState& s : system.contacts.points[c]) {
-      s.integrity_n = s.integrity_s = 0.0;
-      s.damage = 1.0;
-      s.broken = BreakMode::shear;
-    }
+    test::break_in_shear(system.contacts, c);
+    system.contacts.broken_edge(c).break_time = 0.0;
   }
   const double reach = 0.3 * kHandOverRange * kEdge;
   for (Vec2& x : system.particles.position) x += Vec2{random.uniform(-reach, reach), random.uniform(-reach, reach)};

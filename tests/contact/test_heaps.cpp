@@ -59,7 +59,7 @@ bool all_apart(const System& system) {
     const Vec2 centroid = (1.0 / 3.0) * (x[0] + x[1] + x[2]);
     for (std::size_t b = 0; b < p.triangle_count(); ++b) {
       if (p.grain[a] == p.grain[b]) continue;
-      const PresentTriangle t = present_triangle(p.shapes[b], p.corners(b));
+      const PresentTriangle t = present_triangle(p.shape(b), p.corners(b));
       if (t.depth(0, centroid) > 0 && t.depth(1, centroid) > 0 && t.depth(2, centroid) > 0) return false;
     }
   }

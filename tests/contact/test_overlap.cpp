@@ -41,9 +41,12 @@ struct Couple {
 
   /// Forces of the contact alone at the present positions.
   const std::vector<Vec2>& contact_forces() {
-    std::fill(forces.begin(), forces.end(), Vec2{});
+    const std::vector<int>& slot_of_edge = system.contacts.slot_of_edge;
+    std::vector<Vec2> slots(2 * system.contacts.slot_count());
     system.general.search_due = 1;
-    update_general_contacts(system.general, system.contacts, system.particles, system.time_step, kLoops, forces, {});
+    update_general_contacts(system.general, system.contacts, system.particles, system.time_step, kLoops,
+                            {slots, slot_of_edge, 0});
+    for (int corner = 0; corner < 6; ++corner) forces[corner] = slots[2 * slot_of_edge[corner]];
     return forces;
   }
   double energy() {
@@ -51,7 +54,7 @@ struct Couple {
     return general_contact_energies(system.general, kLoops).normal;
   }
   PresentTriangle present(int t) const {
-    return present_triangle(system.particles.shapes[t], system.particles.corners(t));
+    return present_triangle(system.particles.shape(t), system.particles.corners(t));
   }
 };
 
@@ -88,7 +91,7 @@ double sampled_potential(const Couple& couple, int t, int n) {
       sum += depth + couple.system.general.stiffening * depth * depth * depth;
     }
   }
-  return sum * couple.system.particles.shapes[t].area / (n * n);
+  return sum * couple.system.particles.shape(t).area / (n * n);
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
+#include <numbers>
 #include <set>
 
+#include "core/contact/corner_walk.hpp"
 #include "core/contact/pair_weight.hpp"
 #include "tests/support/bodies.hpp"
 
@@ -20,7 +23,7 @@ struct Bonded : test::BondedBodies {
   int contact_between(int a, int b) const {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const ContactEdge& e = contacts.edges[c];
-      if ((e.left_triangle == a && e.right_triangle == b) || (e.left_triangle == b && e.right_triangle == a)) {
+      if ((e.left_triangle() == a && e.right_triangle() == b) || (e.left_triangle() == b && e.right_triangle() == a)) {
         return static_cast<int>(c);
       }
     }
@@ -31,8 +34,8 @@ struct Bonded : test::BondedBodies {
   void break_contact(int a, int b, double weight) {
     const int c = contact_between(a, b);
     REQUIRE(c >= 0);
-    contacts.break_time[c] = 0.0;
-    contacts.hand_over[c].weight = weight;
+    contacts.broken_edge(c).break_time = 0.0;
+    contacts.broken_edge(c).hand_over.weight = weight;
   }
 
   void search() { search_pairs(general, contacts, particles, kLoops); }
@@ -97,7 +100,7 @@ std::array<int, 2> neighbours(const Bonded& model, const test::Grid& grid, int o
   };
   for (const ContactEdge& e : model.contacts.edges) {
     const int ends = outer(model.particles.vertex[e.left1]) + outer(model.particles.vertex[e.left2]);
-    if (ends == outer_ends) return {e.left_triangle, e.right_triangle};
+    if (ends == outer_ends) return {e.left_triangle(), e.right_triangle()};
   }
   return {-1, -1};
 }
@@ -106,56 +109,61 @@ std::array<int, 2> neighbours(const Bonded& model, const test::Grid& grid, int o
 
 TEST_CASE("Partners lie across the same edge, and joints are the contacts between them") {
   const Bonded model(test::grid_mesh({6, 5}));
-  const SurfaceTopology& topology = model.general.topology;
   int outline = 0;
-  for (int edge = 0; edge < static_cast<int>(topology.joint.size()); ++edge) {
-    const int partner = topology.partner[edge];
-    if (topology.joint[edge] == kOutline) {
+  for (int edge = 0; edge < static_cast<int>(3 * model.mesh.triangles.size()); ++edge) {
+    const int partner = model.contacts.partner(edge);
+    if (model.contacts.joint(edge) == kOutline) {
       CHECK(partner == -1);
       ++outline;
       continue;
     }
     REQUIRE(partner >= 0);
-    CHECK(topology.partner[partner] == edge);
-    CHECK(topology.joint[edge] == model.contact_between(edge / 3, partner / 3));
+    CHECK(model.contacts.partner(partner) == edge);
+    CHECK(model.contacts.joint(edge) == model.contact_between(edge / 3, partner / 3));
     CHECK(edge_end(model, edge, 0) == edge_end(model, partner, 1));
     CHECK(edge_end(model, edge, 1) == edge_end(model, partner, 0));
   }
   CHECK(outline == 2 * (6 + 5));
 }
 
-TEST_CASE("A fan lists the triangles around a vertex counter-clockwise and ends at the outline") {
-  const test::Grid grid{6, 5};
-  const Bonded model(test::grid_mesh(grid));
-  const SurfaceTopology& topology = model.general.topology;
-  std::size_t entries = 0;
-  for (std::size_t v = 0; v + 1 < topology.fan_begin.size(); ++v) {
-    const int begin = topology.fan_begin[v], size = topology.fan_begin[v + 1] - begin;
-    entries += size;
-    for (int i = 0; i < size; ++i) {
-      const FanEntry &entry = topology.fan[begin + i], &next = topology.fan[begin + (i + 1) % size];
-      REQUIRE(topology.vertex[entry.triangle][entry.corner] == static_cast<int>(v));
-      if (entry.joint == kOutline) {
-        CHECK(i == size - 1);
-        continue;
-      }
-      CHECK(entry.joint == model.contact_between(entry.triangle, next.triangle));
-      // The edge that the two share begins at the vertex for the next triangle.
-      const Vec2 at = model.mesh.vertices[v];
-      const auto& mine = model.mesh.triangles[entry.triangle];
-      const auto& its = model.mesh.triangles[next.triangle];
-      CHECK(mine[(entry.corner + 2) % 3] == its[(next.corner + 1) % 3]);
-      const Vec2 first = model.mesh.vertices[mine[(entry.corner + 1) % 3]] - at;
-      const Vec2 second = model.mesh.vertices[mine[(entry.corner + 2) % 3]] - at;
-      CHECK(cross(first, second) > 0.0);
-    }
+TEST_CASE("A walk around a vertex goes counter-clockwise through every triangle there, to the outline or back") {
+  const Bonded model(test::grid_mesh({6, 5}));
+  std::map<int, std::set<int>> corners_at;
+  for (int corner = 0; corner < static_cast<int>(3 * model.mesh.triangles.size()); ++corner) {
+    corners_at[model.mesh.triangles[corner / 3][corner % 3]].insert(corner);
   }
-  CHECK(entries == 3 * model.mesh.triangles.size());
+  double angles = 0.0;
+  for (const auto& [vertex, corners] : corners_at) {
+    std::size_t longest = 0;
+    for (const int start : corners) {
+      std::set<int> seen;
+      int corner = start;
+      while (corner >= 0 && seen.insert(corner).second) {
+        REQUIRE(corners.count(corner) == 1);
+        const int next = next_corner(model.contacts, corner);
+        if (next >= 0) {
+          CHECK(model.contacts.joint(arriving_edge(corner)) == model.contact_between(corner / 3, next / 3));
+          // The edge that the two share begins at the vertex for the next triangle.
+          CHECK(edge_end(model, arriving_edge(corner), 0) == edge_end(model, next, 1));
+        }
+        corner = next;
+      }
+      CHECK((corner == start || corner == -1));  // round, or out
+      longest = std::max(longest, seen.size());
+      angles += corner_angle(model.particles, start);
+    }
+    CHECK(longest == corners.size());
+  }
+  CHECK(angles == Approx(std::numbers::pi * static_cast<double>(model.mesh.triangles.size())));
 }
 
 TEST_CASE("Triangles of one grain are joined for good") {
   const Bonded model(test::continuum(test::grid_mesh({3, 3})));
-  for (int joint : model.general.topology.joint) CHECK((joint == kGrain || joint == kOutline));
+  for (int edge = 0; edge < static_cast<int>(3 * model.mesh.triangles.size()); ++edge) {
+    const int joint = model.contacts.joint(edge);
+    CHECK((joint == kGrain || joint == kOutline));
+    if (joint == kGrain) CHECK(model.contacts.partner(model.contacts.partner(edge)) == edge);
+  }
 }
 
 TEST_CASE("The surface goes on round the outline, round an inner crack, and in and out of a notch") {
@@ -179,7 +187,8 @@ TEST_CASE("The surface goes on round the outline, round an inner crack, and in a
 
   Bonded loose(test::grid_mesh(grid));
   for (const ContactEdge& e : loose.contacts.edges) {
-    if (e.left_triangle == 20 || e.right_triangle == 20) loose.break_contact(e.left_triangle, e.right_triangle, 0.0);
+    if (e.left_triangle() == 20 || e.right_triangle() == 20)
+      loose.break_contact(e.left_triangle(), e.right_triangle(), 0.0);
   }
   loose.search();
   const auto loops = surface_loops(loose);
@@ -196,8 +205,8 @@ TEST_CASE("Exposed edges are of the outline or of a fracture, bonded ones of nei
   for (const ContactMember& member : model.general.members) {
     for (int k = 0; k < 3; ++k) {
       ++counts[1 + member.surface[k]];
-      const int joint = model.general.topology.joint[3 * member.triangle + k];
-      const bool broken = joint >= 0 && model.contacts.break_time[joint] >= 0.0;
+      const int joint = model.contacts.joint(3 * member.triangle + k);
+      const bool broken = joint >= 0 && model.contacts.is_broken(joint);
       CHECK(member.surface[k] == (joint == kOutline ? 0 : broken ? 1 : -1));
     }
   }

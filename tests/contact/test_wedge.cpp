@@ -41,8 +41,8 @@ test::Bodies wedge_and_blocks(WedgeModel& model) {
 void load_outer_faces(System& system) {
   const Particles& p = system.particles;
   double outer = 0.0;
-  for (const Vec2& x : p.reference) outer = std::max(outer, x.x);
-  const auto on_face = [&](int node) { return std::abs(p.reference[node].x) > outer - 1e-6; };
+  for (const Vec2& x : p.vertices) outer = std::max(outer, x.x);
+  const auto on_face = [&](int node) { return std::abs(p.reference(node).x) > outer - 1e-6; };
   for (const auto& nodes : p.triangles) {
     for (int k = 0; k < 3; ++k) {
       if (on_face(nodes[k]) && on_face(nodes[(k + 1) % 3])) {
@@ -64,7 +64,7 @@ WedgeModel make_wedge(double beta, double mu) {
   System& system = model.system;
   system.platens.present = true;
   system.platens.y = {0.0, kTop + 4.0};
-  system.platen_springs.assign(system.particles.node_count(), {3000.0, 0.0});
+  system.platen_springs.other = {3000.0, 0.0};
   system.time_step = 0.5 * critical_time_step(system, ParallelLoops());
   system.local_damping = kQuiet;
   load_outer_faces(system);

@@ -11,7 +11,7 @@ namespace {
 /// Recoverable energy of a virgin copy of the contacts brought to the given positions; forces too where asked.
 double contact_energy(BondedContacts contacts, const std::vector<Vec2>& x, std::vector<Vec2>* forces = nullptr) {
   const ParallelLoops loops;
-  std::vector<Vec2> scratch(4 * contacts.size());
+  std::vector<Vec2> scratch(2 * contacts.slot_count());
   update_contacts(contacts, x, 0.0, loops, scratch);
   if (forces) *forces = scratch;
   return contact_energies(contacts, loops).recoverable;
@@ -21,8 +21,8 @@ std::vector<Vec2> nodal(const BondedContacts& contacts, const std::vector<Vec2>&
   std::vector<Vec2> sum(nodes);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const ContactEdge& e = contacts.edges[c];
-    const int ends[4] = {e.left1, e.left2, e.right1, e.right2};
-    for (std::size_t i = 0; i < 4; ++i) sum[static_cast<std::size_t>(ends[i])] += forces[4 * c + i];
+    const int ends[4] = {e.left1, e.left2, e.right2, e.right1};  // in the order of ContactNode
+    for (std::size_t i = 0; i < 4; ++i) sum[ends[i]] += forces[force_index(c, static_cast<ContactNode>(i))];
   }
   return sum;
 }
@@ -44,7 +44,8 @@ Vec2 difference(std::vector<Vec2>& x, std::size_t node, double h, const Energy& 
 std::vector<Vec2> turned_and_shaken(const Particles& p, double angle, double shake) {
   RandomStream random(5, "gradients");
   std::vector<Vec2> x;
-  for (const Vec2 r : p.reference) {
+  for (const int v : p.vertex) {
+    const Vec2 r = p.vertices[v];
     const Vec2 noise{random.uniform(-shake, shake), random.uniform(-shake, shake)};
     x.push_back(test::turned(r, angle) + noise);
   }
@@ -79,7 +80,7 @@ TEST_CASE("Triangle forces are the gradient of the elastic energy under finite r
     return triangle_energy(p, 0);
   };
   energy(x);
-  const auto force = corner_forces(p.shapes[0], biot_state(deformation_gradient(p.shapes[0], p.corners(0)), p.elastic));
+  const auto force = corner_forces(p.shape(0), biot_state(deformation_gradient(p.shape(0), p.corners(0)), p.elastic));
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec2 slope = difference(x, static_cast<std::size_t>(p.triangles[0][i]), 1e-5, energy);
     CHECK(norm(force[i] + slope) < 1e-7 * norm(force[i]));  // truncation (h / edge)^2 = 1e-10, rounding 1e-11

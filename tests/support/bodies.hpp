@@ -79,7 +79,7 @@ inline System make_bodies(const Bodies& bodies, const BodyMaterial& material, do
   system.particles = make_particles(bodies.mesh, config.particles, config.experiment.plane);
   system.contacts = make_contacts(bodies.mesh, system.particles, law_parameters(config), LawReading::consistent);
   GeneralContactLaw law{true, {material.surface, material.surface}, material.damping_ratio};
-  system.general = make_general_contacts(bodies.mesh, system.contacts, system.particles, law);
+  system.general = make_general_contacts(system.particles, law);
   system.contacts.hand_over_range = kHandOverRange;
   prepare(system);
   system.time_step = safety * critical_time_step(system, ParallelLoops());
@@ -100,8 +100,7 @@ inline BondedBodies bonded_bodies(const Mesh& mesh, bool general = true) {
   bodies.particles = make_particles(mesh, config.particles, config.experiment.plane);
   bodies.contacts = make_contacts(mesh, bodies.particles, law, LawReading::consistent);
   if (!general) return bodies;
-  bodies.general =
-      make_general_contacts(mesh, bodies.contacts, bodies.particles, general_contact_law(config.contacts, law));
+  bodies.general = make_general_contacts(bodies.particles, general_contact_law(config.contacts, law));
   bodies.contacts.hand_over_range = kHandOverRange;
   return bodies;
 }

@@ -75,6 +75,23 @@ inline System make_system(const Mesh& mesh, const RunConfig& config = plaster())
   return make_system(mesh, config, law_parameters(config));
 }
 
+/// Changes both points of a contact.
+template <class Change>
+void change_points(BondedContacts& contacts, std::size_t c, const Change& change) {
+  std::array<PointState, 2> points = contacts.points(c);
+  for (PointState& s : points) change(s);
+  contacts.set_points(c, points);
+}
+
+/// Both points sheared through before the start; their pair keeps its weight.
+inline void break_in_shear(BondedContacts& contacts, std::size_t c) {
+  change_points(contacts, c, [](PointState& s) {
+    s.integrity_n = s.integrity_s = 0.0;
+    s.damage = 1.0;
+    s.broken = BreakMode::shear;
+  });
+}
+
 inline void advance(System& system, const ParallelLoops& loops, int steps = 1) {
   for (int i = 0; i < steps; ++i) {
     compute_forces(system, loops);
@@ -106,12 +123,12 @@ inline void scatter_velocities(System& system, double speed) {
 /// How many contacts have broken, and how many of them have passed over to general contact.
 inline int broken(const BondedContacts& contacts) {
   return static_cast<int>(
-      std::count_if(contacts.break_time.begin(), contacts.break_time.end(), [](double time) { return time >= 0.0; }));
+      std::count_if(contacts.broken.begin(), contacts.broken.end(), [](const auto& b) { return b.break_time >= 0.0; }));
 }
 
 inline int released(const BondedContacts& contacts) {
-  return static_cast<int>(std::count_if(contacts.hand_over.begin(), contacts.hand_over.end(),
-                                        [](const HandOver& h) { return h.weight == 0.0; }));
+  return static_cast<int>(std::count_if(contacts.broken.begin(), contacts.broken.end(),
+                                        [](const auto& b) { return b.hand_over.weight == 0.0; }));
 }
 
 inline Vec2 turned(Vec2 a, double angle) {

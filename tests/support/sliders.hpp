@@ -51,7 +51,7 @@ struct Drive {
 inline Drive drive_above(const System& system, int body, double y) {
   Drive drive;
   for (int node : nodes_of(system, body)) {
-    if (system.particles.reference[node].y > y) drive.nodes.push_back(node);
+    if (system.particles.reference(node).y > y) drive.nodes.push_back(node);
   }
   return drive;
 }

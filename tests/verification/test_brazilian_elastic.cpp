@@ -38,7 +38,7 @@ std::array<std::array<double, 6>, 6> triangle_stiffness(const TriangleShape& sha
 
 int node_at(const Particles& p, Vec2 place) {
   for (std::size_t i = 0; i < p.node_count(); ++i) {
-    if (norm(p.reference[i] - place) < 1e-9) return static_cast<int>(i);
+    if (norm(p.reference(i) - place) < 1e-9) return static_cast<int>(i);
   }
   return -1;
 }
@@ -47,7 +47,7 @@ int node_at(const Particles& p, Vec2 place) {
 Eigen::SparseMatrix<double> stiffness(const Particles& p, int bottom, int top) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
-    const auto k = triangle_stiffness(p.shapes[t], p.elastic);
+    const auto k = triangle_stiffness(p.shape(t), p.elastic);
     const auto dof = [&](std::size_t i) { return 2 * p.triangles[t][i / 2] + static_cast<int>(i % 2); };
     for (std::size_t i = 0; i < 6; ++i) {
       for (std::size_t j = 0; j < 6; ++j) entries.emplace_back(dof(i), dof(j), k[i][j]);
@@ -71,7 +71,7 @@ void load_poles(Particles& p) {
   REQUIRE(solver.info() == Eigen::Success);
   // Small displacements, so that the core's finite strain stress is the linear one to 1e-6.
   const Eigen::VectorXd u = 1e-5 * solver.solve(load);
-  for (std::size_t i = 0; i < p.node_count(); ++i) p.position[i] = p.reference[i] + Vec2{u[2 * i], u[2 * i + 1]};
+  for (std::size_t i = 0; i < p.node_count(); ++i) p.position[i] = p.reference(i) + Vec2{u[2 * i], u[2 * i + 1]};
 }
 
 /// sigma_xx of the exact solution at a place off the centre: two point loads' radial fields and a uniform tension.
@@ -94,11 +94,11 @@ Centre centre_stress(const Particles& p) {
   double area = 0.0;
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
     Vec2 place{0, -kRadius};
-    for (int node : p.triangles[t]) place += (1.0 / 3.0) * p.reference[static_cast<std::size_t>(node)];
+    for (int node : p.triangles[t]) place += (1.0 / 3.0) * p.reference(static_cast<std::size_t>(node));
     if (norm(place) > 0.2 * kRadius) continue;
-    area += p.shapes[t].area;
-    sum.found += 1e5 * p.shapes[t].area * triangle_stress(p, t)[0];
-    sum.exact += p.shapes[t].area * exact_stress(place);
+    area += p.shape(t).area;
+    sum.found += 1e5 * p.shape(t).area * triangle_stress(p, t)[0];
+    sum.exact += p.shape(t).area * exact_stress(place);
   }
   return {sum.found / area, sum.exact / area};
 }

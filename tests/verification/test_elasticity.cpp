@@ -28,7 +28,7 @@ std::array<double, 4> patch_stress(PlaneCondition plane) {
 
 void stretch(Particles& p) {
   for (std::size_t i = 0; i < p.node_count(); ++i) {
-    const Vec2 r = p.reference[i];
+    const Vec2 r = p.reference(i);
     p.position[i] = r + Vec2{kStretchX * r.x + kShear * r.y, kShear * r.x + kStretchY * r.y};
   }
 }
@@ -39,7 +39,7 @@ double residual_inside(const System& system, std::size_t vertices, double side) 
   for (std::size_t i = 0; i < system.particles.node_count(); ++i) {
     const auto v = static_cast<std::size_t>(system.particles.vertex[i]);
     sum[v] += internal_force(system, i);
-    place[v] = system.particles.reference[i];
+    place[v] = system.particles.reference(i);
   }
   double largest = 0.0;
   for (std::size_t v = 0; v < vertices; ++v) {
@@ -55,7 +55,7 @@ double bar_frequency(PlaneCondition plane, double length) {
   System bar =
       test::make_system(test::continuum(test::grid_mesh({static_cast<int>(length / 2), 2})), test::plaster(plane));
   Particles& p = bar.particles;
-  const auto mode = [&](std::size_t i) { return std::cos(std::numbers::pi * p.reference[i].x / length); };
+  const auto mode = [&](std::size_t i) { return std::cos(std::numbers::pi * p.reference(i).x / length); };
   for (std::size_t i = 0; i < p.node_count(); ++i) p.velocity[i] = {100.0 * mode(i), 0.0};
   double before = 0.0, first = 0.0, last = 0.0;
   int crossings = 0;
@@ -63,7 +63,7 @@ double bar_frequency(PlaneCondition plane, double length) {
     test::advance(bar, loops);
     double amplitude = 0.0;
     for (std::size_t i = 0; i < p.node_count(); ++i)
-      amplitude += p.mass[i] * mode(i) * (p.position[i].x - p.reference[i].x);
+      amplitude += p.mass[i] * mode(i) * (p.position[i].x - p.reference(i).x);
     if (before * amplitude < 0.0) {
       last = bar.time - bar.time_step * amplitude / (amplitude - before);
       if (++crossings == 1) first = last;
@@ -110,7 +110,7 @@ TEST_CASE("Undamped elastic vibration of bonded particles keeps its energy over 
   const ParallelLoops loops;
   System system = test::make_system(test::grid_mesh({12, 4}), test::plaster(), test::unbreakable_law());
   for (std::size_t i = 0; i < system.particles.node_count(); ++i) {
-    const Vec2 r = system.particles.reference[i];
+    const Vec2 r = system.particles.reference(i);
     system.particles.velocity[i] = {1000.0 * std::cos(std::numbers::pi * r.x / 24),
                                     300.0 * std::cos(std::numbers::pi * r.y / 8)};
   }
@@ -144,7 +144,7 @@ TEST_CASE("Uniform pressure on all sides gives hydrostatic stress") {
   double area = 0.0, mean[3] = {}, worst = 0.0;
   for (std::size_t t = 0; t < system.particles.triangle_count(); ++t) {
     const auto s = triangle_stress(system.particles, t);
-    const double share = system.particles.shapes[t].area;
+    const double share = system.particles.shape(t).area;
     area += share;
     mean[0] += share * s[0];
     mean[1] += share * s[1];

@@ -53,7 +53,7 @@ TEST_CASE("A single contact driven open dissipates G_f, by the work on the held 
   const double expected = 2.0 * closed_forms::fracture_energy(law.t_c, law.delta_ct, law.delta_ut);
   WARN("single contact: work over G_f length " << system.external_work / expected << ", fracture energy over it "
                                                << energy.fracture / expected);
-  CHECK(system.contacts.break_time[0] > 0.0);
+  CHECK(system.contacts.break_time(0) > 0.0);
   CHECK(system.external_work == Approx(expected).epsilon(1e-3));  // the requirement; (1/200)^2 by the steps to the peak
   CHECK(energy.fracture == Approx(expected).epsilon(1e-3));
 }

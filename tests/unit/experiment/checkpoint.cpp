@@ -66,12 +66,13 @@ bool same_bits(const Sample& a, const Sample& b) {
 void check_same_points(const BondedContacts& a, const BondedContacts& b) {
   for (std::size_t c = 0; c < a.size(); ++c) {
     for (int q = 0; q < 2; ++q) {
-      const PointState &s = a.points[c][q], &t = b.points[c][q];
+      const PointState s = a.points(c)[q], t = b.points(c)[q];
       REQUIRE(std::memcmp(&s, &t, offsetof(PointState, broken)) == 0);  // what follows is padding but for `broken`
       REQUIRE(s.broken == t.broken);
     }
   }
-  CHECK(a.break_time == b.break_time);
+  CHECK(a.broken_index == b.broken_index);
+  for (std::size_t c = 0; c < a.size(); ++c) CHECK(a.break_time(c) == b.break_time(c));
 }
 
 void check_same(const Run& a, const Run& b) {

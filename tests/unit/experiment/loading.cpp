@@ -83,7 +83,7 @@ TEST_CASE("a uniaxial test starts from a linear velocity field whose energy is b
   double kinetic = 0.0;
   for (std::size_t i = 0; i < p.node_count(); ++i) {
     CHECK(p.velocity[i].x == 0.0);
-    CHECK(p.velocity[i].y == Approx(100.0 - 200.0 * p.reference[i].y / 65.0).margin(1e-12));  // rounding at 100 mm/s
+    CHECK(p.velocity[i].y == Approx(100.0 - 200.0 * p.reference(i).y / 65.0).margin(1e-12));  // rounding at 100 mm/s
     kinetic += 0.5 * p.mass[i] * dot(p.velocity[i], p.velocity[i]);
   }
   CHECK(model.system.platens.velocity == std::array<double, 2>{100.0, -100.0});
@@ -126,7 +126,7 @@ TEST_CASE("the hydrostatic stage ends with the confining pressure on platens and
   double area = 0.0;
   for (std::size_t t = 0; t < model.system.particles.triangle_count(); ++t) {
     const auto stress = triangle_stress(model.system.particles, t);
-    const double a = model.system.particles.shapes[t].area;
+    const double a = model.system.particles.shape(t).area;
     mean[0] += a * stress[0];
     mean[1] += a * stress[1];
     area += a;

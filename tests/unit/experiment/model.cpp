@@ -55,8 +55,8 @@ TEST_CASE("platens touch the specimen's ends, with the contacts' stiffness sprea
   CHECK(system.platens.y == std::array<double, 2>{0.0, 65.0});
   double bottom = 0.0, top = 0.0;
   for (std::size_t i = 0; i < system.particles.node_count(); ++i) {
-    const PlatenSpring& spring = system.platen_springs[i];
-    const double y = system.particles.reference[i].y;
+    const PlatenSpring spring = system.platen_springs.at(i);
+    const double y = system.particles.reference(i).y;
     CHECK(spring.stiffness > 0.0);
     if (spring.skin == 0.0) (y < 32.5 ? bottom : top) += spring.stiffness;
   }
@@ -75,8 +75,8 @@ TEST_CASE("the flanks are both sides in full, each edge with the specimen on its
   const Model model = small_model(small_config(ExperimentType::uniaxial));
   double left = 0.0, right = 0.0;
   for (const LoadedEdge& edge : model.system.flank.edges) {
-    const Vec2 p = model.system.particles.reference[edge.nodes[0]];
-    const Vec2 q = model.system.particles.reference[edge.nodes[1]];
+    const Vec2 p = model.system.particles.reference(edge.nodes[0]);
+    const Vec2 q = model.system.particles.reference(edge.nodes[1]);
     CHECK(edge.share == 1.0);
     CHECK(p.x == q.x);
     CHECK(std::abs(p.x) == 13.5);

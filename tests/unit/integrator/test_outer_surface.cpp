@@ -141,7 +141,7 @@ System columns_apart(int columns) {
   System system = test::make_system(test::grid_mesh({columns, 1}));
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const ContactEdge& e = system.contacts.edges[c];
-    if (e.left_triangle / 2 != e.right_triangle / 2) system.contacts.break_time[c] = 1.0;
+    if (e.left_triangle() / 2 != e.right_triangle() / 2) system.contacts.broken_edge(c).break_time = 1.0;
   }
   return system;
 }

@@ -64,7 +64,7 @@ TEST_CASE("the guards name what went wrong and where") {
   system.particles.position[0] = good + Vec2{50.0, 50.0};
   CHECK_THROWS_WITH(check_state(system), Catch::Contains("turned over"));
   system.particles.position[0] = good;
-  system.contacts.points[0][1].normal = -0.6 * system.contacts.edges[0].length;
+  test::change_points(system.contacts, 0, [&](PointState& s) { s.normal = -0.6 * system.contacts.edges[0].length; });
   CHECK_THROWS_WITH(check_state(system), Catch::Contains("overlap"));
 }
 
@@ -88,9 +88,7 @@ TEST_CASE("platens push back in proportion, beyond the skin, and friction is lim
   system.platens.present = true;
   system.platens.y = {0.01, 100.0};
   system.platens.friction = 0.5;
-  system.platen_springs.assign(system.particles.node_count(), {0.0, 0.0});
-  system.platen_springs[0] = {200.0, 0.0};
-  system.platen_springs[1] = {200.0, 0.02};
+  system.platen_springs = {{0, 1}, {{200.0, 0.0}, {200.0, 0.02}}, {0.0, 0.0}};
   system.particles.position[0] = {0.0, 0.0};
   system.particles.position[1] = {2.0, 0.0};
   system.particles.velocity[0] = {1e9, 0.0};

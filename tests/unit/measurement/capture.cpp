@@ -81,7 +81,7 @@ TEST_CASE("displacement leads from the present position back to the reference") 
   const Scene scene;
   const Frame f = scene.frame();
   for (std::size_t i = 0; i < f.position.size(); ++i) {
-    CHECK(norm(f.position[i] - f.displacement[i] - scene.system.particles.reference[i]) < 1e-15);  // rounding at 2 mm
+    CHECK(norm(f.position[i] - f.displacement[i] - scene.system.particles.reference(i)) < 1e-15);  // rounding at 2 mm
   }
   CHECK(f.velocity[3] == Vec2{1.0, 2.0});
 }

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/measurement/capture.hpp"
+#include "tests/support/models.hpp"
 #include "tests/unit/measurement/small_specimen.hpp"
 
 using namespace asperity;
@@ -20,10 +21,12 @@ struct TwoSquares {
 
   /// Tractions of the two points of a contact, MPa, tension positive.
   void load(int contact, std::array<double, 2> normal, std::array<double, 2> shear) {
+    std::array<PointState, 2> points = s.contacts.points(contact);
     for (std::size_t i = 0; i < 2; ++i) {
-      s.contacts.points[contact][i].traction_n = normal[i];
-      s.contacts.points[contact][i].traction_s = shear[i];
+      points[i].traction_n = normal[i];
+      points[i].traction_s = shear[i];
     }
+    s.contacts.set_points(contact, points);
   }
 
   std::vector<ContactForce> forces() const { return bonded_contact_forces(s.contacts, s.particles, kThickness); }
@@ -95,8 +98,8 @@ TEST_CASE("the edges that two grains share are one contact, bonded until the las
   mesh.grain = {0, 0, 1, 1, 0, 0, 1, 1};  // the left and the right column: two edges of 1 mm between them
   SmallSpecimen s = specimen_of(mesh);
   REQUIRE(s.contacts.size() == 2);
-  for (PointState& point : s.contacts.points[0]) point.traction_n = -1.0, point.traction_s = 0.5;
-  for (PointState& point : s.contacts.points[1]) point.traction_n = -3.0, point.traction_s = -2.0;
+  test::change_points(s.contacts, 0, [](PointState& point) { point.traction_n = -1.0, point.traction_s = 0.5; });
+  test::change_points(s.contacts, 1, [](PointState& point) { point.traction_n = -3.0, point.traction_s = -2.0; });
   break_contact(s.contacts, 0, BreakMode::shear, 1.0);
   const std::vector<ContactForce> forces = bonded_contact_forces(s.contacts, s.particles, kThickness);
   REQUIRE(forces.size() == 1);

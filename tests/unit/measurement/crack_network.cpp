@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "tests/support/models.hpp"
 #include "tests/unit/measurement/small_specimen.hpp"
 
 using namespace asperity;
@@ -73,10 +74,11 @@ TEST_CASE("cracks come in the order of time and then of contact") {
 TEST_CASE("a crack's energy is that of its two halves and its mode that of the half that spent more") {
   TwoSquares t;
   break_contact(t.s.contacts, t.upright, BreakMode::tension, 1.0);
-  auto& points = t.s.contacts.points[t.upright];
+  auto points = t.s.contacts.points(t.upright);
   points[0].fracture_energy = 0.25;
   points[1].fracture_energy = 0.5;
   points[1].broken = BreakMode::shear;
+  t.s.contacts.set_points(t.upright, points);
   const Crack crack = t.cracks().at(0);
   CHECK(crack.energy_n_mm == 0.75);  // (0.25 + 0.5) N/mm on 1 mm each
   CHECK(crack.mode == BreakMode::shear);
@@ -84,9 +86,10 @@ TEST_CASE("a crack's energy is that of its two halves and its mode that of the h
 
 TEST_CASE("an edge with one broken point only softens") {
   TwoSquares t;
-  PointState& point = t.s.contacts.points[t.upright][0];
-  point.broken = BreakMode::tension;
-  point.damage = 1.0;
+  auto points = t.s.contacts.points(t.upright);
+  points[0].broken = BreakMode::tension;
+  points[0].damage = 1.0;
+  t.s.contacts.set_points(t.upright, points);
   CHECK(t.cracks().empty());
   CHECK(counts(t.s).softening == 1);
   CHECK(counts(t.s).tension == 0);
@@ -101,7 +104,7 @@ TEST_CASE("counts tell the modes apart") {
   TwoSquares t;
   break_contact(t.s.contacts, 0, BreakMode::tension, 1.0);
   break_contact(t.s.contacts, 1, BreakMode::shear, 1.0);
-  t.s.contacts.points[2][1].damage = 0.1;
+  test::change_points(t.s.contacts, 2, [](PointState& point) { point.damage = 0.1; });
   CHECK(counts(t.s).tension == 1);
   CHECK(counts(t.s).shear == 1);
   CHECK(counts(t.s).softening == 1);

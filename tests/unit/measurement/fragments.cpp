@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/support/models.hpp"
 #include "tests/unit/measurement/small_specimen.hpp"
 
 using namespace asperity;
@@ -46,7 +47,7 @@ TEST_CASE("of equal fragments the one with the first triangle comes first") {
 
 TEST_CASE("a softening contact still holds") {
   SmallSpecimen s = small_specimen(2, 1);
-  s.contacts.points[contact_between(s.contacts, 0, 3)][0].damage = 0.99;
+  test::change_points(s.contacts, contact_between(s.contacts, 0, 3), [](PointState& point) { point.damage = 0.99; });
   CHECK(fragments(s).area_mm2.size() == 1);
 }
 

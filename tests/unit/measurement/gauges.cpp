@@ -37,7 +37,7 @@ struct Gauged {
 
   GaugeReading after(const auto& displacement) {
     for (std::size_t i = 0; i < particles.node_count(); ++i) {
-      particles.position[i] = particles.reference[i] + displacement(particles.reference[i]);
+      particles.position[i] = particles.reference(i) + displacement(particles.reference(i));
     }
     return read_gauges(gauges, particles);
   }
@@ -51,10 +51,10 @@ TEST_CASE("gauges lie where the configuration says") {
     const double sign = side == 0 ? -1 : 1;
     REQUIRE_FALSE(g.gauges.axial[side].empty());
     REQUIRE_FALSE(g.gauges.lateral[side].empty());
-    for (int node : g.gauges.axial[side]) CHECK(std::abs(g.particles.reference[node].y - (30 + sign * 15)) <= kSide);
+    for (int node : g.gauges.axial[side]) CHECK(std::abs(g.particles.reference(node).y - (30 + sign * 15)) <= kSide);
     for (int node : g.gauges.lateral[side]) {
-      CHECK(g.particles.reference[node].x == sign * 15);
-      CHECK(std::abs(g.particles.reference[node].y - 30) <= 10);
+      CHECK(g.particles.reference(node).x == sign * 15);
+      CHECK(std::abs(g.particles.reference(node).y - 30) <= 10);
     }
   }
   CHECK(g.gauges.lateral_base_mm == 30);

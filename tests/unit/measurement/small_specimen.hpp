@@ -34,7 +34,8 @@ inline Mesh grid_mesh(int columns, int rows, double side) {
 
 inline SmallSpecimen specimen_of(const Mesh& mesh) {
   SmallSpecimen s{mesh, make_particles(mesh, ParticleConfig{}, PlaneCondition::stress), {}};
-  s.contacts = make_contacts(s.mesh, s.particles, LawParameters{}, LawReading::consistent);
+  s.contacts =
+      make_contacts(s.mesh, s.particles, LawParameters{}, LawReading::literal);  // keeps tractions as they are set
   return s;
 }
 
@@ -46,7 +47,7 @@ inline SmallSpecimen small_specimen(int columns, int rows, double side = 1.0) {
 inline int contact_between(const BondedContacts& contacts, int t, int u) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const ContactEdge& e = contacts.edges[c];
-    if ((e.left_triangle == t && e.right_triangle == u) || (e.left_triangle == u && e.right_triangle == t)) {
+    if ((e.left_triangle() == t && e.right_triangle() == u) || (e.left_triangle() == u && e.right_triangle() == t)) {
       return static_cast<int>(c);
     }
   }
@@ -55,12 +56,14 @@ inline int contact_between(const BondedContacts& contacts, int t, int u) {
 
 /// Breaks both points of a contact; `energy` is what each spent, N/mm.
 inline void break_contact(BondedContacts& contacts, int c, BreakMode mode, double time, double energy = 1.0) {
-  for (PointState& point : contacts.points[c]) {
+  std::array<PointState, 2> points = contacts.points(c);
+  for (PointState& point : points) {
     point.broken = mode;
     point.damage = 1.0;
     point.fracture_energy = energy;
   }
-  contacts.break_time[c] = time;
+  contacts.set_points(c, points);
+  contacts.broken_edge(c).break_time = time;
 }
 
 }  // namespace asperity::testing

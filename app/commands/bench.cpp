@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/commands/commands.hpp"
+#include "core/base/build_info.hpp"
+#include "core/experiment/step_benchmark.hpp"
+#include "core/output/atomic_file.hpp"
+
+namespace asperity::app {
+namespace {
+
+nlohmann::json to_json(const StepCost& c) {
+  nlohmann::json entry{{"triangles", c.triangles},
+                       {"contact_points", c.contact_points},
+                       {"threads", c.threads},
+                       {"fast_ns_per_triangle_step", c.fast_ns},
+                       {"fast_ns_per_contact_point", c.fast_contact_ns},
+                       {"fast_motion_ns_per_triangle", c.fast_motion_ns},
+                       {"fast_us_per_step", 1e-3 * c.fast_ns * static_cast<double>(c.triangles)},
+                       {"bytes_per_triangle", c.bytes_per_triangle},
+                       {"flops_per_triangle_step", c.flops_per_triangle},
+                       {"traffic_bytes_per_triangle_step", c.traffic_per_triangle},
+                       {"bound_ns_per_triangle_step", c.bound_ns},
+                       {"fraction_of_bound", c.bound_ns / c.fast_ns}};
+  if (c.reference_ns > 0.0) entry["reference_ns_per_triangle_step"] = c.reference_ns;
+  return entry;
+}
+
+nlohmann::json to_json(const MachinePeak& peak, int threads) {
+  return {{"threads", threads}, {"gflops", 1e-9 * peak.flops}, {"gb_per_s", 1e-9 * peak.bandwidth}};
+}
+
+void print_head() {
+  fmt::print("{:>9} {:>7} {:>10} {:>8} {:>6} {:>11} {:>9} {:>10} {:>7} {:>8} {:>9}\n", "triangles", "threads",
+             "reference", "fast", "ratio", "contact pt", "motion", "step", "memory", "bound", "fraction");
+  fmt::print("{:>9} {:>7} {:>10} {:>8} {:>6} {:>11} {:>9} {:>10} {:>7} {:>8} {:>9}\n", "", "", "ns/tri", "ns/tri", "",
+             "ns", "ns/tri", "us", "B/tri", "ns/tri", "");
+}
+
+void print_row(const StepCost& c) {
+  const bool compared = c.reference_ns > 0.0;
+  fmt::print("{:>9} {:>7} {:>10} {:>8.1f} {:>6} {:>11.2f} {:>9.1f} {:>10.1f} {:>7.0f} {:>8.1f} {:>9.2f}\n", c.triangles,
+             c.threads, compared ? fmt::format("{:.1f}", c.reference_ns) : "", c.fast_ns,
+             compared ? fmt::format("{:.2f}", c.reference_ns / c.fast_ns) : "", c.fast_contact_ns, c.fast_motion_ns,
+             1e-3 * c.fast_ns * static_cast<double>(c.triangles), c.bytes_per_triangle, c.bound_ns,
+             c.bound_ns / c.fast_ns);
+  std::cout.flush();
+}
+
+}  // namespace
+
+int bench_command(const BenchOptions& options) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  std::vector<int> thread_counts{1};
+  if (cores > 1) thread_counts.push_back(cores);
+  std::vector<int> sizes{4050, 16000, 64000, 256000, 1000000};
+  if (options.triangles) sizes = {*options.triangles};
+  nlohmann::json report{{"version", build_info().version},
+                        {"revision", build_info().revision},
+                        {"simd", instruction_set()},
+                        {"cores", cores}};
+  std::vector<MachinePeak> peaks;
+  for (int threads : thread_counts) {
+    peaks.push_back(measure_machine_peak(ParallelLoops(threads)));
+    report["peak"].push_back(to_json(peaks.back(), threads));
+    fmt::print("{} thread(s): {:.1f} Gflop/s, {:.1f} GB/s, {}\n", threads, 1e-9 * peaks.back().flops,
+               1e-9 * peaks.back().bandwidth, instruction_set());
+  }
+  print_head();
+  for (int triangles : sizes) {
+    const System system = benchmark_system(triangles);
+    for (std::size_t i = 0; i < thread_counts.size(); ++i) {
+      const StepCost cost = measure_step(system, ParallelLoops(thread_counts[i]), peaks[i]);
+      report["sizes"].push_back(to_json(cost));
+      print_row(cost);
+    }
+  }
+  if (options.json) write_file_atomically(*options.json, report.dump(2) + "\n");
+  return 0;
+}
+
+}  // namespace asperity::app

@@ -1,0 +1,37 @@
+#pragma once
+#include <vector>
+
+#include "core/base/machine_peak.hpp"
+#include "core/config/run_config.hpp"
+#include "core/integrator/system.hpp"
+
+/// What a time step costs, reference and fast kernel side by side; `asperity bench`. Counts and bound:
+/// core/integrator/README.md.
+namespace asperity {
+
+/// One mesh with one number of threads.
+struct StepCost {
+  std::size_t triangles = 0, contact_points = 0;
+  int threads = 1;
+  double reference_ns = 0;        ///< A triangle and step, best of the batches; 0: not measured (several threads).
+  double fast_ns = 0;             ///< The same of the fast kernel.
+  double fast_contact_ns = 0;     ///< Of that, forces: a contact point and step.
+  double fast_motion_ns = 0;      ///< And triangles and nodes: a triangle and step.
+  double bytes_per_triangle = 0;  ///< Everything the model keeps for stepping with the fast kernel.
+  double flops_per_triangle = 0;  ///< Operations a triangle and step, counted.
+  double traffic_per_triangle =
+      0;                ///< Bytes that must move a triangle and step where no cache holds the model, counted.
+  double bound_ns = 0;  ///< The larger of flops over peak and traffic over bandwidth.
+};
+
+/// Memory of a system, bytes.
+std::size_t memory_of(const System& system);
+
+/// The specimen of a benchmark: that of a compression test of about so many triangles, edges 2 mm, strained and shaken
+/// so that every contact is loaded and most harden, none broken.
+System benchmark_system(int triangles);
+
+/// Times both kernels in turns on copies of one system; the reference alone takes one thread.
+StepCost measure_step(const System& system, const ParallelLoops& loops, const MachinePeak& peak);
+
+}  // namespace asperity

@@ -1,0 +1,239 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/integrator/node_motion_fast.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h:
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/base/simd_points.inl.hpp"
+#include "core/integrator/node_motion.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace asperity::HWY_NAMESPACE {
+
+using hn::Add;
+using hn::Mul;
+using hn::Sub;
+
+constexpr Doubles kDoubles;
+constexpr std::size_t kBlock = PackedShapes::kSize;
+
+HWY_INLINE Real set(double value) { return hn::Set(kDoubles, value); }
+
+/// Triangles of one register.
+struct Batch {
+  std::size_t first, count;  ///< Lanes beyond the count repeat the last triangle.
+  std::size_t triangle(std::size_t lane) const { return first + (lane < count ? lane : count - 1); }
+};
+
+HWY_INLINE Points load_corner(const std::vector<Vec2>& x, const Batch& batch, std::size_t k) {
+  return load_points([&](std::size_t lane) { return &x[3 * batch.triangle(lane) + k].x; });
+}
+
+/// Row of packed shapes.
+HWY_INLINE Real shape_row(const PackedShapes::Row& row, const Batch& batch) {
+  return hn::Load(kDoubles, row.data() + batch.first % kBlock);
+}
+
+using Corners = std::array<Points, 3>;
+
+/// Eqs. (P2)-(P4), operation by operation as biot_state() and corner_forces() do.
+HWY_INLINE Corners elastic_forces(const PackedShapes& shape, const Batch& batch, const Corners& x,
+                                  const ElasticConstants& c) {
+  const Points p = x[1] - x[0], q = x[2] - x[0];
+  const Points gp{shape_row(shape.g1x, batch), shape_row(shape.g1y, batch)};
+  const Points gq{shape_row(shape.g2x, batch), shape_row(shape.g2y, batch)};
+  const Real xx = Add(Mul(p.x, gp.x), Mul(q.x, gq.x)), xy = Add(Mul(p.x, gp.y), Mul(q.x, gq.y));
+  const Real yx = Add(Mul(p.y, gp.x), Mul(q.y, gq.x)), yy = Add(Mul(p.y, gp.y), Mul(q.y, gq.y));
+  const Real a = Add(xx, yy), b = Sub(yx, xy);
+  const Real r = hn::Div(set(1.0), hn::Sqrt(Add(Mul(a, a), Mul(b, b))));
+  const Real cosine = Mul(a, r), sine = Mul(b, r);
+  const Real e11 = Sub(Add(Mul(cosine, xx), Mul(sine, yx)), set(1.0));
+  const Real e22 = Sub(Sub(Mul(cosine, yy), Mul(sine, xy)), set(1.0));
+  const Real e12 = Add(Mul(cosine, xy), Mul(sine, yy));
+  const Real t11 = Add(Mul(set(c.c11), e11), Mul(set(c.c12), e22));
+  const Real t22 = Add(Mul(set(c.c12), e11), Mul(set(c.c11), e22));
+  const Real t12 = Mul(set(2.0 * c.shear), e12);
+  const Real p11 = Sub(Mul(cosine, t11), Mul(sine, t12)), p12 = Sub(Mul(cosine, t12), Mul(sine, t22));
+  const Real p21 = Add(Mul(sine, t11), Mul(cosine, t12)), p22 = Add(Mul(sine, t12), Mul(cosine, t22));
+  const Real minus_area = hn::Neg(shape_row(shape.area, batch));
+  const auto force = [&](const Points& g) {
+    return Points{Mul(minus_area, Add(Mul(p11, g.x), Mul(p12, g.y))),
+                  Mul(minus_area, Add(Mul(p21, g.x), Mul(p22, g.y)))};
+  };
+  const Points f1 = force(gp), f2 = force(gq);
+  return {Points{Sub(hn::Neg(f1.x), f2.x), Sub(hn::Neg(f1.y), f2.y)}, f1, f2};
+}
+
+/// Forces in the slots of the triangles' edges k, on their first or second ends.
+HWY_INLINE Points slot_forces(const System& system, const Batch& batch, std::size_t k, std::size_t end) {
+  return load_points([&](std::size_t lane) {
+    return &system.forces[2 * system.contacts.slot_of_edge[3 * batch.triangle(lane) + k] + end].x;
+  });
+}
+
+HWY_INLINE Real load_mass(const std::vector<double>& mass, const Batch& batch, std::size_t k) {
+  HWY_ALIGN double m[kLanes];
+  for (std::size_t lane = 0; lane < kLanes; ++lane) m[lane] = mass[3 * batch.triangle(lane) + k];
+  return hn::Load(kDoubles, m);
+}
+
+/// Numbers that every node needs.
+struct Step {
+  Real dt, half_dt, two_over_dt, damping;
+  explicit Step(const System& system)
+      : dt(set(system.time_step)),
+        half_dt(set(0.5 * system.time_step)),
+        two_over_dt(set(2.0 / system.time_step)),
+        damping(set(system.local_damping)) {}
+};
+
+/// Eq. (I4), as damping_force() does.
+HWY_INLINE Real damping_force(Real force, Real coefficient, Real mean_velocity, Real impulse) {
+  const Real limit = Mul(impulse, hn::Abs(mean_velocity));
+  return hn::Neg(hn::CopySign(hn::Min(Mul(coefficient, hn::Abs(force)), limit), mean_velocity));
+}
+
+/// Sums of eight lanes, so that they do not depend on how many a register holds.
+struct LaneSums {
+  HWY_ALIGN double damping[kBlock] = {}, kinetic[kBlock] = {}, fastest[kBlock] = {};
+};
+
+HWY_INLINE void add_to(double* sum, Real value) { hn::Store(Add(hn::Load(kDoubles, sum), value), kDoubles, sum); }
+
+/// Eqs. (I1)-(I4), as move_free_node() does; lanes that are not `free` count for nothing in the sums.
+HWY_INLINE Points move_free_nodes(const Points& before, const Points& force, Real m, const Step& step,
+                                  hn::Mask<Doubles> free, LaneSums& sums, std::size_t lane) {
+  const Real per_mass = hn::Div(step.dt, m);
+  const Points trial = before + per_mass * force;
+  const Points mean = set(0.5) * (before + trial);
+  const Real impulse = Mul(m, step.two_over_dt);
+  const Points damping{damping_force(force.x, step.damping, mean.x, impulse),
+                       damping_force(force.y, step.damping, mean.y, impulse)};
+  const Points v = trial + per_mass * damping;
+  const auto counted = [&](Real value) { return hn::IfThenElseZero(free, value); };
+  add_to(sums.damping + lane, counted(hn::Neg(Mul(step.half_dt, dot(damping, before + v)))));
+  add_to(sums.kinetic + lane, counted(Mul(Mul(set(0.5), m), dot(before, v))));
+  const Real fastest = hn::Max(hn::Load(kDoubles, sums.fastest + lane), counted(dot(v, v)));
+  hn::Store(fastest, kDoubles, sums.fastest + lane);
+  return v;
+}
+
+/// Lanes that a node beyond a platen's face, a load or a held node takes out of the vector kernel, one bit each.
+unsigned special_lanes(const System& system, const Batch& batch, const Corners& x, std::size_t& next_load) {
+  const unsigned all = (1u << batch.count) - 1;
+  if (system.body_acceleration != Vec2{}) return all;
+  unsigned special = 0;
+  if (system.platens.present) {
+    const Real low = hn::Min(hn::Min(x[0].y, x[1].y), x[2].y), high = hn::Max(hn::Max(x[0].y, x[1].y), x[2].y);
+    const auto beyond = hn::Or(hn::Lt(low, set(system.platens.y[0])), hn::Gt(high, set(system.platens.y[1])));
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(kDoubles, beyond, bits);
+    special |= bits[0];
+  }
+  const std::vector<int>& loaded = system.loads.nodes;
+  const int end = static_cast<int>(3 * (batch.first + batch.count));
+  for (; next_load < loaded.size() && loaded[next_load] < end; ++next_load) {
+    special |= 1u << (static_cast<std::size_t>(loaded[next_load]) / 3 - batch.first);
+  }
+  if (!system.platen_shear.empty()) {  // one that has just left the platen must let go
+    for (std::size_t i = 0; i < 3 * batch.count; ++i) {
+      special |= static_cast<unsigned>(system.platen_shear[3 * batch.first + i] != 0.0) << i / 3;
+    }
+  }
+  if (!system.held.empty()) {
+    for (std::size_t i = 0; i < 3 * batch.count; ++i) special |= unsigned{system.held[3 * batch.first + i]} << i / 3;
+  }
+  return special & all;
+}
+
+hn::Mask<Doubles> lanes_of(unsigned bits) {
+  HWY_ALIGN double flags[kLanes];
+  for (std::size_t lane = 0; lane < kLanes; ++lane) flags[lane] = bits >> lane & 1 ? 1.0 : 0.0;
+  return hn::Gt(hn::Load(kDoubles, flags), set(0.0));
+}
+
+/// Writes a corner's points of the lanes in `bits` back.
+HWY_INLINE void store_corner(const Points& points, std::vector<Vec2>& x, const Batch& batch, std::size_t k,
+                             unsigned bits) {
+  if (HWY_LIKELY(bits == (1u << kLanes) - 1)) {
+    store_points(points, [&](std::size_t lane) { return &x[3 * (batch.first + lane) + k].x; });
+    return;
+  }
+  Vec2 kept[kLanes];
+  store_points(points, [&](std::size_t lane) { return &kept[lane].x; });
+  for (std::size_t lane = 0; lane < batch.count; ++lane) {
+    if (bits >> lane & 1) x[3 * (batch.first + lane) + k] = kept[lane];
+  }
+}
+
+/// The special lanes' triangles, node by node.
+void move_special(System& system, const Batch& batch, unsigned special, const Corners& force, bool advance,
+                  NodeSums& sums) {
+  Vec2 internal[3][kLanes];
+  for (std::size_t k = 0; k < 3; ++k) {
+    store_points(force[k], [&](std::size_t lane) { return &internal[k][lane].x; });
+  }
+  Particles& p = system.particles;
+  for (std::size_t lane = 0; lane < batch.count; ++lane) {
+    if (!(special >> lane & 1)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t node = 3 * (batch.first + lane) + k;
+      move_node(system, node, internal[k][lane], sums);
+      if (advance) p.position[node] += system.time_step * p.velocity[node];
+    }
+  }
+}
+
+HWY_INLINE void move_batch(System& system, const Batch& batch, const Step& step, bool advance, std::size_t& next_load,
+                           LaneSums& lane_sums, NodeSums& sums) {
+  Particles& p = system.particles;
+  const Corners x{load_corner(p.position, batch, 0), load_corner(p.position, batch, 1),
+                  load_corner(p.position, batch, 2)};
+  Corners force = elastic_forces(p.shapes[batch.first / kBlock], batch, x, p.elastic);
+  for (std::size_t k = 0; k < 3; ++k) {
+    force[k] = (force[k] + slot_forces(system, batch, k, 0)) + slot_forces(system, batch, (k + 2) % 3, 1);
+  }
+  const unsigned special = special_lanes(system, batch, x, next_load);
+  const unsigned free = ((1u << batch.count) - 1) & ~special;
+  const hn::Mask<Doubles> free_lanes = lanes_of(free);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Points v = move_free_nodes(load_corner(p.velocity, batch, k), force[k], load_mass(p.mass, batch, k), step,
+                                     free_lanes, lane_sums, batch.first % kBlock);
+    store_corner(v, p.velocity, batch, k, free);
+    if (advance) store_corner(x[k] + step.dt * v, p.position, batch, k, free);
+  }
+  if (special) move_special(system, batch, special, force, advance, sums);
+}
+
+NodeSums move_triangles(System& system, std::size_t begin, std::size_t end, bool advance) {
+  const Step step(system);
+  const std::vector<int>& loaded = system.loads.nodes;
+  std::size_t next_load = std::lower_bound(loaded.begin(), loaded.end(), static_cast<int>(3 * begin)) - loaded.begin();
+  LaneSums lanes;
+  NodeSums sums;
+  for (std::size_t first = begin; first < end; first += kLanes) {
+    move_batch(system, {first, std::min(kLanes, end - first)}, step, advance, next_load, lanes, sums);
+  }
+  for (std::size_t lane = 0; lane < kBlock; ++lane) {
+    sums.damping += lanes.damping[lane];
+    sums.kinetic += lanes.kinetic[lane];
+    sums.fastest = std::max(sums.fastest, lanes.fastest[lane]);
+  }
+  return sums;
+}
+
+}  // namespace asperity::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace asperity {
+HWY_EXPORT(move_triangles);
+
+NodeSums move_triangles_fast(System& system, std::size_t begin, std::size_t end, bool advance) {
+  return HWY_DYNAMIC_DISPATCH(move_triangles)(system, begin, end, advance);
+}
+}  // namespace asperity
+#endif

@@ -1,0 +1,128 @@
+#include <hwy/targets.h>
+
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "tests/support/models.hpp"
+
+using namespace asperity;
+
+namespace {
+
+const ParallelLoops kLoops;
+
+/// Cells of bonded triangles between platens with friction, under damping, some nodes held, some loaded.
+System busy_system(Kernel kernel) {
+  const Mesh mesh = test::grid_mesh({9, 7});  // 126 triangles: the last register is not full
+  const RunConfig config = test::plaster();
+  System system;
+  system.particles = make_particles(mesh, config.particles, config.experiment.plane);
+  system.contacts = make_contacts(mesh, system.particles, law_parameters(config), LawReading::consistent);
+  system.kernel = kernel;
+  prepare(system);
+  system.time_step = 0.5 * critical_time_step(system, kLoops);
+  system.local_damping = 0.4;
+  system.platens.present = true;
+  system.platens.y = {0.01, 13.99};
+  system.platens.velocity = system.platens.last_velocity = {400.0, -400.0};
+  system.platens.friction = 0.3;
+  system.platen_springs.other = {500.0, 0.0};
+  system.held.assign(system.particles.node_count(), 0);
+  for (std::size_t node : {100, 101, 102, 250}) system.held[node] = 1;
+  system.flank.pressure = 3.0;
+  for (int t : {5, 60, 125}) system.flank.edges.push_back({{3 * t, 3 * t + 1}, 0.5});
+  test::scatter_velocities(system, 1e4);
+  return system;
+}
+
+/// Largest distance of velocities, over the speed.
+double velocity_difference(const System& a, const System& b) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < a.particles.node_count(); ++i) {
+    worst = std::max(worst, norm(a.particles.velocity[i] - b.particles.velocity[i]) / 1e4);
+  }
+  return worst;
+}
+
+/// The same, and the sums over their size.
+double difference(const System& a, const System& b) {
+  double worst = velocity_difference(a, b);
+  const auto compare = [&](double x, double y) {
+    if (y != 0.0) worst = std::max(worst, std::abs(x / y - 1.0));
+  };
+  compare(a.sums.kinetic, b.sums.kinetic);
+  compare(a.sums.damping, b.sums.damping);
+  compare(a.sums.reaction[0], b.sums.reaction[0]);
+  compare(a.sums.work_after, b.sums.work_after);
+  compare(a.sums.platen_energy, b.sums.platen_energy);
+  compare(a.sums.fastest, b.sums.fastest);
+  return worst;
+}
+
+bool same_bytes(const System& a, const System& b) {
+  const auto same = [](const std::vector<Vec2>& x, const std::vector<Vec2>& y) {
+    return std::memcmp(x.data(), y.data(), x.size() * sizeof(Vec2)) == 0;
+  };
+  return same(a.particles.position, b.particles.position) && same(a.particles.velocity, b.particles.velocity) &&
+         std::memcmp(&a.sums, &b.sums, sizeof a.sums) == 0 && a.external_work == b.external_work &&
+         a.damping_energy == b.damping_energy && a.contacts.broken_index == b.contacts.broken_index;
+}
+
+System after_steps(int steps) {
+  System system = busy_system(Kernel::fast);
+  test::advance(system, kLoops, steps);
+  return system;
+}
+
+}  // namespace
+
+TEST_CASE("a step of the fast kernel is that of the reference, to rounding") {
+  System fast = busy_system(Kernel::fast), reference = busy_system(Kernel::reference);
+  for (System* system : {&fast, &reference}) {
+    compute_forces(*system, kLoops);
+    update_velocities(*system, kLoops);
+  }
+  CHECK(fast.sums.reaction[0] > 0.0);
+  CHECK(fast.sums.work_after != 0.0);
+  const double first = difference(fast, reference);
+  WARN("one step, fast against reference: " << first);
+  CHECK(first < 1e-12);
+  update_positions(fast, kLoops);
+  update_positions(reference, kLoops);
+  test::advance(fast, kLoops, 19);
+  test::advance(reference, kLoops, 19);
+  const double later = velocity_difference(fast, reference);
+  WARN("twenty steps: " << later);
+  CHECK(later < 1e-10);
+}
+
+TEST_CASE("velocities and positions in one pass give the same bits as one after the other") {
+  System apart = busy_system(Kernel::fast), together = busy_system(Kernel::fast);
+  for (int step = 0; step < 50; ++step) {
+    compute_forces(apart, kLoops);
+    update_velocities(apart, kLoops);
+    update_positions(apart, kLoops);
+    compute_forces(together, kLoops);
+    update_motion(together, kLoops);
+  }
+  CHECK(same_bytes(apart, together));
+}
+
+TEST_CASE("every instruction set gives the same bytes") {
+  const System best = after_steps(200);
+  CHECK(best.contacts.broken.size() > 20);  // otherwise nothing was tried
+  const std::int64_t supported = hwy::SupportedTargets();
+  int tried = 0;
+  for (std::int64_t target = 1; target > 0 && target <= supported; target <<= 1) {
+    if (!(supported & target)) continue;
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().DeInit();
+    INFO(hwy::TargetName(target));
+    CHECK(same_bytes(after_steps(200), best));
+    ++tried;
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
+  WARN(tried << " instruction sets give the same bytes");
+  CHECK(tried >= 2);
+}
