@@ -57,8 +57,8 @@ HWY_EXPORT(run_chains);
 HWY_EXPORT(run_update);
 HWY_EXPORT(target_name);
 
-constexpr std::size_t kUpdated = std::size_t{256} * 1024 * 1024 / sizeof(double);  // a thread; far beyond any cache
-constexpr std::size_t kRounds = 2'000'000;
+constexpr std::size_t kRounds = 1'000'000;
+constexpr double kMoved = 1e9;  // bytes in one try
 
 /// Best of a few tries of work(i), i = 0 ... threads - 1, each returning how much it did, together a second.
 template <class Work>
@@ -77,14 +77,19 @@ double best_rate(const ParallelLoops& loops, const Work& work) {
 
 }  // namespace
 
-MachinePeak measure_machine_peak(const ParallelLoops& loops) {
+MachinePeak measure_machine_peak(const ParallelLoops& loops, std::size_t bytes) {
   const auto threads = static_cast<std::size_t>(loops.threads());
-  std::vector<double> sinks(8 * threads, 0.5), data(threads * kUpdated, 1.0);
+  const std::size_t share = std::max<std::size_t>(1024, bytes / sizeof(double) / threads);
+  const auto repeats = static_cast<int>(std::max(1.0, kMoved / static_cast<double>(2 * sizeof(double) * share * threads)));
+  std::vector<double> sinks(8 * threads, 0.5), data(threads * share, 1.0);
   MachinePeak peak;
   peak.flops =
       best_rate(loops, [&](std::size_t i) { return HWY_DYNAMIC_DISPATCH(run_chains)(&sinks[8 * i], kRounds); });
-  peak.bandwidth =
-      best_rate(loops, [&](std::size_t i) { return HWY_DYNAMIC_DISPATCH(run_update)(&data[i * kUpdated], kUpdated); });
+  peak.bandwidth = best_rate(loops, [&](std::size_t i) {
+    double moved = 0.0;
+    for (int r = 0; r < repeats; ++r) moved += HWY_DYNAMIC_DISPATCH(run_update)(&data[i * share], share);
+    return moved;
+  });
   return peak;
 }
 

@@ -9,11 +9,12 @@ namespace asperity {
 /// that kernel's bound.
 struct MachinePeak {
   double flops = 0;      ///< Additions and products of doubles a second, unfused, in independent chains.
-  double bandwidth = 0;  ///< Bytes a second read and written, updating 256 MB a thread in place.
+  double bandwidth = 0;  ///< Bytes a second read and written, updating an array in place.
 };
 
-/// Takes some 0.3 s.
-MachinePeak measure_machine_peak(const ParallelLoops& loops);
+/// The array for the bandwidth has so many bytes, shared by the threads: as many as the kernel's data, so that it lies
+/// in the same cache. Takes some 0.2 s.
+MachinePeak measure_machine_peak(const ParallelLoops& loops, std::size_t bytes);
 
 /// Name of the instruction set that the vector kernels use here: "AVX3_DL", "AVX2", "SSE4", "SCALAR", ...
 std::string instruction_set();

@@ -21,6 +21,7 @@ struct StepCost {
   double flops_per_triangle = 0;  ///< Operations a triangle and step, counted.
   double traffic_per_triangle =
       0;                ///< Bytes that must move a triangle and step where no cache holds the model, counted.
+  MachinePeak peak;     ///< Of these threads, with data of the model's size.
   double bound_ns = 0;  ///< The larger of flops over peak and traffic over bandwidth.
 };
 
@@ -32,6 +33,6 @@ std::size_t memory_of(const System& system);
 System benchmark_system(int triangles);
 
 /// Times both kernels in turns on copies of one system; the reference alone takes one thread.
-StepCost measure_step(const System& system, const ParallelLoops& loops, const MachinePeak& peak);
+StepCost measure_step(const System& system, const ParallelLoops& loops);
 
 }  // namespace asperity

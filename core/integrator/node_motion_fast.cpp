@@ -74,10 +74,19 @@ HWY_INLINE Points slot_forces(const System& system, const Batch& batch, std::siz
   });
 }
 
-HWY_INLINE Real load_mass(const std::vector<double>& mass, const Batch& batch, std::size_t k) {
-  HWY_ALIGN double m[kLanes];
-  for (std::size_t lane = 0; lane < kLanes; ++lane) m[lane] = mass[3 * batch.triangle(lane) + k];
-  return hn::Load(kDoubles, m);
+/// Masses of the three corners.
+HWY_INLINE std::array<Real, 3> load_masses(const std::vector<double>& mass, const Batch& batch) {
+  std::array<Real, 3> m;
+  if (HWY_LIKELY(batch.count == kLanes)) {
+    hn::LoadInterleaved3(kDoubles, &mass[3 * batch.first], m[0], m[1], m[2]);
+    return m;
+  }
+  HWY_ALIGN double corner[kLanes];
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) corner[lane] = mass[3 * batch.triangle(lane) + k];
+    m[k] = hn::Load(kDoubles, corner);
+  }
+  return m;
 }
 
 /// Numbers that every node needs.
@@ -101,11 +110,13 @@ struct LaneSums {
   HWY_ALIGN double damping[kBlock] = {}, kinetic[kBlock] = {}, fastest[kBlock] = {};
 };
 
-HWY_INLINE void add_to(double* sum, Real value) { hn::Store(Add(hn::Load(kDoubles, sum), value), kDoubles, sum); }
+/// What three nodes of a triangle add to them.
+struct Addends {
+  Real damping, kinetic, fastest;
+};
 
-/// Eqs. (I1)-(I4), as move_free_node() does; lanes that are not `free` count for nothing in the sums.
-HWY_INLINE Points move_free_nodes(const Points& before, const Points& force, Real m, const Step& step,
-                                  hn::Mask<Doubles> free, LaneSums& sums, std::size_t lane) {
+/// Eqs. (I1)-(I4), as move_free_node() does.
+HWY_INLINE Points move_free_nodes(const Points& before, const Points& force, Real m, const Step& step, Addends& sums) {
   const Real per_mass = hn::Div(step.dt, m);
   const Points trial = before + per_mass * force;
   const Points mean = set(0.5) * (before + trial);
@@ -113,12 +124,31 @@ HWY_INLINE Points move_free_nodes(const Points& before, const Points& force, Rea
   const Points damping{damping_force(force.x, step.damping, mean.x, impulse),
                        damping_force(force.y, step.damping, mean.y, impulse)};
   const Points v = trial + per_mass * damping;
-  const auto counted = [&](Real value) { return hn::IfThenElseZero(free, value); };
-  add_to(sums.damping + lane, counted(hn::Neg(Mul(step.half_dt, dot(damping, before + v)))));
-  add_to(sums.kinetic + lane, counted(Mul(Mul(set(0.5), m), dot(before, v))));
-  const Real fastest = hn::Max(hn::Load(kDoubles, sums.fastest + lane), counted(dot(v, v)));
-  hn::Store(fastest, kDoubles, sums.fastest + lane);
+  sums.damping = Sub(sums.damping, Mul(step.half_dt, dot(damping, before + v)));
+  sums.kinetic = Add(sums.kinetic, Mul(Mul(set(0.5), m), dot(before, v)));
+  sums.fastest = hn::Max(sums.fastest, dot(v, v));
   return v;
+}
+
+hn::Mask<Doubles> lanes_of(unsigned bits) {
+  HWY_ALIGN double flags[kLanes];
+  for (std::size_t lane = 0; lane < kLanes; ++lane) flags[lane] = bits >> lane & 1 ? 1.0 : 0.0;
+  return hn::Gt(hn::Load(kDoubles, flags), set(0.0));
+}
+
+constexpr unsigned kAllLanes = (1u << kLanes) - 1;
+
+/// Adds the lanes in `bits`.
+HWY_INLINE void add_lanes(Addends addends, unsigned bits, LaneSums& sums, std::size_t lane) {
+  if (bits != kAllLanes) {
+    const hn::Mask<Doubles> counted = lanes_of(bits);
+    addends = {hn::IfThenElseZero(counted, addends.damping), hn::IfThenElseZero(counted, addends.kinetic),
+               hn::IfThenElseZero(counted, addends.fastest)};
+  }
+  const auto add = [&](double* sum, Real value) { hn::Store(Add(hn::Load(kDoubles, sum), value), kDoubles, sum); };
+  add(sums.damping + lane, addends.damping);
+  add(sums.kinetic + lane, addends.kinetic);
+  hn::Store(hn::Max(hn::Load(kDoubles, sums.fastest + lane), addends.fastest), kDoubles, sums.fastest + lane);
 }
 
 /// Lanes that a node beyond a platen's face, a load or a held node takes out of the vector kernel, one bit each.
@@ -149,16 +179,10 @@ unsigned special_lanes(const System& system, const Batch& batch, const Corners& 
   return special & all;
 }
 
-hn::Mask<Doubles> lanes_of(unsigned bits) {
-  HWY_ALIGN double flags[kLanes];
-  for (std::size_t lane = 0; lane < kLanes; ++lane) flags[lane] = bits >> lane & 1 ? 1.0 : 0.0;
-  return hn::Gt(hn::Load(kDoubles, flags), set(0.0));
-}
-
 /// Writes a corner's points of the lanes in `bits` back.
 HWY_INLINE void store_corner(const Points& points, std::vector<Vec2>& x, const Batch& batch, std::size_t k,
                              unsigned bits) {
-  if (HWY_LIKELY(bits == (1u << kLanes) - 1)) {
+  if (HWY_LIKELY(bits == kAllLanes)) {
     store_points(points, [&](std::size_t lane) { return &x[3 * (batch.first + lane) + k].x; });
     return;
   }
@@ -198,13 +222,14 @@ HWY_INLINE void move_batch(System& system, const Batch& batch, const Step& step,
   }
   const unsigned special = special_lanes(system, batch, x, next_load);
   const unsigned free = ((1u << batch.count) - 1) & ~special;
-  const hn::Mask<Doubles> free_lanes = lanes_of(free);
+  const std::array<Real, 3> mass = load_masses(p.mass, batch);
+  Addends addends{hn::Zero(kDoubles), hn::Zero(kDoubles), hn::Zero(kDoubles)};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Points v = move_free_nodes(load_corner(p.velocity, batch, k), force[k], load_mass(p.mass, batch, k), step,
-                                     free_lanes, lane_sums, batch.first % kBlock);
+    const Points v = move_free_nodes(load_corner(p.velocity, batch, k), force[k], mass[k], step, addends);
     store_corner(v, p.velocity, batch, k, free);
     if (advance) store_corner(x[k] + step.dt * v, p.position, batch, k, free);
   }
+  add_lanes(addends, free, lane_sums, batch.first % kBlock);
   if (special) move_special(system, batch, special, force, advance, sums);
 }
 
