@@ -29,6 +29,12 @@ struct RunObserver {
 /// Why the loop ended.
 enum class StopReason : int { running, strain, fraction_of_peak, time, interrupted };
 
+/// Wall time spent on a run in all its sessions, s.
+struct RunCost {
+  double compute_s = 0;
+  double output_s = 0;
+};
+
 /// Progress of a test beyond the model's own state; plain data, part of the checkpoint.
 struct RunState {
   LoadingState loading;
@@ -41,6 +47,7 @@ struct RunState {
   double kinetic_ratio = 1;
   int samples_below = 0;  ///< Consecutive samples below the stop fraction of the peak.
   StopReason stop = StopReason::running;
+  RunCost cost;
 };
 
 /// The state of a test that has not begun.

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/base/error.hpp"
+#include "core/base/sha256.hpp"
 #include "core/output/atomic_file.hpp"
 #include "tests/unit/experiment/small_models.hpp"
 
@@ -190,6 +191,52 @@ TEST_CASE("another version's checkpoint is refused and changes nothing") {
   text[version] = '0';
   write_file_atomically(file, text);
   check_refused(file, "no checkpoint of this version");
+}
+
+TEST_CASE("a state of another layout or mesh is refused though its checksum holds") {
+  const fs::path file = scratch_file("forged.bin");
+  const Run run = broken_off(short_disc(), 500, file);
+  const std::string whole = read_file(file);
+  const std::size_t body = whole.find('\n') + 1 + 64;  // after the version's line and the checksum's hexadecimal digits
+  const auto forge = [&](const std::string& changed) {
+    write_file_atomically(file, whole.substr(0, body - 64) + sha256_hex(changed) + changed);
+  };
+  forge(whole.substr(body));
+  CHECK(restored(short_disc(), file).model.system.step == run.model.system.step);
+  forge(whole.substr(body, whole.size() - body - 1));
+  check_refused(file, "ends early");
+  forge(whole.substr(body) + "x");
+  check_refused(file, "is longer than its state");
+  std::string other_size = whole.substr(body);
+  other_size[kHash.size()] = 4;  // the first value's size, 8 bytes
+  forge(other_size);
+  check_refused(file, "was written by other code");
+  std::string huge = whole.substr(body);
+  const std::size_t count = huge.rfind(std::string("\x08\0\0\0\0\0\0\0", 8));
+  huge.replace(count + 8, 8, 8, '\xff');
+  forge(huge);
+  check_refused(file, "holds a list where one value is expected");
+  RunConfig coarser = short_disc();
+  coarser.particles.edge_mm = 6;
+  broken_off(coarser, 100, file);
+  check_refused(file, "belongs to another mesh");
+}
+
+TEST_CASE("a checkpoint keeps why a run ended and what it has cost") {
+  RunConfig config = short_disc();
+  config.experiment.stop.axial_strain = 0.001;
+  Run run(config);
+  run.go_on();
+  REQUIRE(run.state.stop == StopReason::strain);
+  run.state.cost = {1.5, 0.25};
+  const fs::path file = scratch_file("ended.bin");
+  write_checkpoint(file, run.model, run.state, kHash);
+  Run resumed = restored(config, file);
+  CHECK(resumed.state.stop == StopReason::strain);
+  CHECK(resumed.state.cost.compute_s == 1.5);
+  CHECK(resumed.state.cost.output_s == 0.25);
+  resumed.go_on();
+  check_same(resumed, run);
 }
 
 TEST_CASE("a checkpoint that is not there is an output error") {
