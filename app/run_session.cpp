@@ -18,7 +18,7 @@
 #include "core/measurement/acoustic.hpp"
 #include "core/measurement/capture.hpp"
 #include "core/measurement/crack_network.hpp"
-#include "core/output/atomic_file.hpp"
+#include "core/base/atomic_file.hpp"
 #include "core/output/csv.hpp"
 #include "core/output/manifest.hpp"
 #include "core/output/run_tables.hpp"

@@ -7,7 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
-#include "core/output/atomic_file.hpp"
+#include "core/base/atomic_file.hpp"
 
 namespace asperity {
 namespace {

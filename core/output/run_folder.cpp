@@ -6,9 +6,9 @@
 #include <cerrno>
 #include <utility>
 
-#include "core/output/atomic_file.hpp"
+#include "core/base/atomic_file.hpp"
 #include "core/output/manifest.hpp"
-#include "core/output/output_error.hpp"
+#include "core/base/output_error.hpp"
 #include "core/output/run_files.hpp"
 
 namespace asperity {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/output/file_descriptor.hpp"
+#include "core/base/file_descriptor.hpp"
 #include "core/output/run_identity.hpp"
 
 namespace asperity {

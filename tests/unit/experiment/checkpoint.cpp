@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstring>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
-#include "core/output/atomic_file.hpp"
 #include "tests/unit/experiment/small_models.hpp"
 
 using namespace asperity;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/random.hpp"
-#include "core/output/atomic_file.hpp"
 #include "tests/unit/output/scratch.hpp"
 
 using namespace asperity;
