@@ -45,6 +45,10 @@ class RunFolder {
   /// there is none or another process writes there.
   static RunFolder open(const std::filesystem::path& root);
 
+  /// Throws Error(output) where the folder was removed, moved or replaced since it was locked: what is written by its
+  /// name would be lost, or damage another run.
+  void require_in_place() const;
+
   bool reused() const { return decision_.use == FolderUse::reuse; }
   const FolderDecision& decision() const { return decision_; }
 
