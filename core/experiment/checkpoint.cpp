@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
-#include "core/base/atomic_file.hpp"
 
 namespace asperity {
 namespace {
@@ -134,7 +134,7 @@ bool fits(const System& restored, const System& model) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
-  throw Error(ErrorKind::output, {{file.string(), why, "", "", "start the run again with `asperity run --force`"}});
+  throw Error(ErrorKind::output, {{file.string(), why, "", "", "start the run again with `asperity run`"}});
 }
 
 /// The state's bytes, once version, checksum and configuration are found right.
