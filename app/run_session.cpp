@@ -270,7 +270,9 @@ void tell_refused(const std::vector<Fault>& refused, const CheckpointPair& check
   }
 }
 
-int run_in(RunFolder folder, Build b, const std::string& hash, const SessionOptions& options) {
+/// `doubts` is what the log and stderr are to be told once there is a log.
+int run_in(RunFolder folder, Build b, const std::string& hash, const SessionOptions& options,
+           const std::vector<std::string>& doubts) {
   Manifest manifest = new_manifest(b, hash);
   CheckpointPair checkpoints(folder.checkpoint(), hash);
   RunState state = start_run(b.model);
@@ -282,6 +284,7 @@ int run_in(RunFolder folder, Build b, const std::string& hash, const SessionOpti
                   std::move(checkpoints), std::move(manifest), options};
   write_manifest(session.folder.manifest(), session.manifest);
   open_log_file(session.folder.log(), session.manifest.libraries);
+  for (const std::string& doubt : doubts) log_warning(doubt);
   tell_refused(refused, session.checkpoints);
   if (resumed) log_info("resumed at step " + std::to_string(session.model.system.step));
   return carry_out_or_fail(session, *b.loops);
@@ -303,10 +306,14 @@ int run_from_start(const RunConfig& config, const std::string& original, const s
   RunFolder folder = RunFolder::begin(root, identity, existing);
   write_file_atomically(folder.original_config(), original);
   write_file_atomically(folder.effective_config(), effective_json(config));
-  return run_in(std::move(folder), std::move(b), hash, options);
+  return run_in(std::move(folder), std::move(b), hash, options, {});
 }
 
 int resume_run(const std::filesystem::path& root, const SessionOptions& options) {
+  if (cut_off_at_start(root)) {
+    return run_from_start(read_run_config(root / "config.effective.json"), read_file(root / "config.original.json"),
+                          root, ExistingRun::keep, options);
+  }
   RunFolder folder = RunFolder::open(root);
   const Manifest old = read_manifest(folder.manifest());
   if (old.outcome == Outcome::finished) {
@@ -321,11 +328,12 @@ int resume_run(const std::filesystem::path& root, const SessionOptions& options)
                 {{folder.effective_config().string(), "is not the configuration this run was started with", hash,
                   old.config_hash, "start a new run with `asperity run`"}});
   }
+  std::vector<std::string> doubts;
   if (!same_code(identity_of(hash), old)) {
-    log_warning("this run was begun by other code, revision " + old.build.revision +
-                ": its parts may not fit to the same bytes");
+    doubts.push_back("this run was begun by other code, revision " + old.build.revision +
+                     ": the result may not be the one of a run in one piece");
   }
-  return run_in(std::move(folder), build(config, options), hash, options);
+  return run_in(std::move(folder), build(config, options), hash, options, doubts);
 }
 
 }  // namespace asperity::app

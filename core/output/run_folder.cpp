@@ -112,6 +112,11 @@ FolderDecision decide_folder_use(const fs::path& root, const RunIdentity& identi
   throw output_error(root, "cannot be read", failure.code().value());
 }
 
+bool cut_off_at_start(const fs::path& root) {
+  return fs::exists(root / kLockName) && fs::exists(root / "config.effective.json") &&
+         !fs::exists(root / "manifest.json");
+}
+
 RunFolder::RunFolder(fs::path root, FolderDecision decision, std::optional<FileDescriptor> lock)
     : root_(std::move(root)), decision_(std::move(decision)), lock_(std::move(lock)) {}
 

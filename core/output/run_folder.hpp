@@ -31,6 +31,10 @@ std::filesystem::path default_run_folder(const std::string& config_name);
 /// the folder holds another configuration's run and `existing` is keep, or files that are no run of ours (always).
 FolderDecision decide_folder_use(const std::filesystem::path& root, const RunIdentity& identity, ExistingRun existing);
 
+/// Whether the folder holds a run that was cut off between its configuration and its manifest, the last file of a
+/// start.
+bool cut_off_at_start(const std::filesystem::path& root);
+
 /// A run folder and, unless the run in it is re-used, the lock that keeps other processes from writing there. The lock
 /// is held as long as the object lives.
 class RunFolder {

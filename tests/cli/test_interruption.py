@@ -83,6 +83,20 @@ class Interruption(support.CommandLineTest):
         self.assert_series_whole(folder)
         self.assert_resumes(folder)
 
+    def test_killed_before_its_manifest_starts_again(self):
+        folder = self.interrupted(signal.SIGINT, "at_start", percent=10)
+        (folder / "manifest.json").unlink()
+        self.assert_resumes(folder)
+        self.assert_same_bytes(folder, self.whole, ["config.original.json", "config.effective.json"])
+
+    def test_resume_by_other_code_is_told(self):
+        folder = self.interrupted(signal.SIGINT, "other_code", percent=80)
+        manifest = json.loads((folder / "manifest.json").read_text())
+        (folder / "manifest.json").write_text(json.dumps({**manifest, "revision": "0123abc"}))
+        told = "this run was begun by other code, revision 0123abc"
+        self.assertIn(told, self.succeed("resume", folder, "--no-render").stderr)
+        self.assertIn(told, (folder / "log.txt").read_text())
+
     def test_run_again_after_an_interruption_starts_from_the_beginning(self):
         folder = self.interrupted(signal.SIGINT, "run_again")
         self.succeed(*RUN, "--quiet", "--out", folder)

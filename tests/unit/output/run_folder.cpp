@@ -189,6 +189,17 @@ TEST_CASE("a path that is a file, and a folder that cannot be made, are output e
   CHECK_THAT(refusal_of("/proc/no/run", kClean, ExistingRun::keep), Catch::Contains("/proc/no/run: cannot be created"));
 }
 
+TEST_CASE("a run cut off before its manifest is told from one that has begun and from a stranger's folder") {
+  const fs::path root = fresh_folder("rf_at_start");
+  CHECK_FALSE(cut_off_at_start(root));
+  const RunFolder folder = RunFolder::begin(root, kClean, ExistingRun::keep);
+  CHECK_FALSE(cut_off_at_start(root));
+  write_file_atomically(folder.effective_config(), "{}");
+  CHECK(cut_off_at_start(root));
+  write_manifest(folder.manifest(), manifest_of(kClean, Outcome::running));
+  CHECK_FALSE(cut_off_at_start(root));
+}
+
 TEST_CASE("a folder that was removed, moved or replaced meanwhile is noticed") {
   const fs::path root = fresh_folder("rf_moved"), elsewhere = fresh_folder("rf_moved_to");
   const RunFolder folder = RunFolder::begin(root, kClean, ExistingRun::keep);
