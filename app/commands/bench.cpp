@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "app/commands/commands.hpp"
+#include "core/base/atomic_file.hpp"
 #include "core/base/build_info.hpp"
 #include "core/experiment/step_benchmark.hpp"
-#include "core/output/atomic_file.hpp"
 
 namespace asperity::app {
 namespace {

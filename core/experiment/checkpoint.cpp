@@ -1,58 +1,70 @@
 #include "core/experiment/checkpoint.hpp"
 
+#include <array>
 #include <cstring>
+#include <stdexcept>
 #include <type_traits>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
-#include "core/output/atomic_file.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr const char* kMagic = "asperity checkpoint 2\n";
+constexpr std::string_view kMagic = "asperity checkpoint 4\n";
 constexpr std::size_t kDigest = 64;
 
-/// Appends plain values and vectors of them to a byte string.
+/// Appends plain values and vectors of them to a byte string, each with its size, so that other code's layout is seen.
 class Writer {
  public:
   template <class T>
   void operator()(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    put(&value, sizeof value, 1);
   }
   template <class T>
   void operator()(const std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    (*this)(values.size());
-    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    put(values.data(), sizeof(T), values.size());
   }
   const std::string& bytes() const { return bytes_; }
 
  private:
+  template <class T>
+  void put(const T* values, std::size_t size, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    for (const std::size_t number : {size, count}) bytes_.append(reinterpret_cast<const char*>(&number), sizeof number);
+    bytes_.append(reinterpret_cast<const char*>(values), count * size);
+  }
   std::string bytes_;
 };
 
-/// Takes them back in the same order. The bytes have passed their checksum, so only a change of the code can end early.
+/// Takes them back in the same order; throws std::runtime_error where the bytes are not those of the same members.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : bytes_(bytes) {}
   template <class T>
   void operator()(T& value) {
+    if (take_count(sizeof value) != 1) throw std::runtime_error("holds a list where one value is expected");
     take(&value, sizeof value);
   }
   template <class T>
   void operator()(std::vector<T>& values) {
-    std::size_t size = 0;
-    (*this)(size);
-    if (size > bytes_.size() / sizeof(T)) throw Error(ErrorKind::output, "the checkpoint ends early");
-    values.resize(size);
-    take(values.data(), size * sizeof(T));
+    const std::size_t count = take_count(sizeof(T));
+    if (count > bytes_.size() / sizeof(T)) throw std::runtime_error("ends early");
+    values.resize(count);
+    take(values.data(), count * sizeof(T));
   }
+  bool at_end() const { return bytes_.empty(); }
 
  private:
+  std::size_t take_count(std::size_t expected_size) {
+    std::array<std::size_t, 2> head{};
+    take(head.data(), sizeof head);
+    if (head[0] != expected_size) throw std::runtime_error("was written by other code");
+    return head[1];
+  }
   void take(void* to, std::size_t size) {
-    if (size > bytes_.size()) throw Error(ErrorKind::output, "the checkpoint ends early");
+    if (size > bytes_.size()) throw std::runtime_error("ends early");
     if (size > 0) std::memcpy(to, bytes_.data(), size);  // an empty vector has no address to copy to
     bytes_.remove_prefix(size);
   }
@@ -108,34 +120,74 @@ void exchange(Archive& archive, SystemType& system, StateType& state) {
   archive(state.samples_below);
 }
 
+/// A checkpoint always belongs to a run that goes on or has ended by its stop rule.
+StopReason stop_to_keep(const RunState& state) {
+  return state.stop == StopReason::interrupted ? StopReason::running : state.stop;
+}
+
+/// Whether the state is one of the model's mesh: other code may mesh the same configuration in another way.
+bool fits(const System& restored, const System& model) {
+  return restored.particles.position.size() == model.particles.position.size() &&
+         restored.particles.velocity.size() == model.particles.velocity.size() &&
+         restored.platen_shear.size() == model.platen_shear.size() &&
+         restored.contacts.broken_index.size() == model.contacts.broken_index.size() &&
+         restored.contacts.memory.packed.size() == model.contacts.memory.packed.size() &&
+         restored.contacts.memory.literal.size() == model.contacts.memory.literal.size();
+}
+
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
-  throw Error(ErrorKind::output, {{file.string(), why, "", "", "start the run again with `asperity run --force`"}});
+  throw Error(ErrorKind::output, {{file.string(), why, "", "", "start the run again with `asperity run`"}});
+}
+
+/// The state's bytes, once version, checksum and configuration are found right.
+std::string_view checked_body(std::string_view bytes, const std::filesystem::path& file,
+                              const std::string& config_hash) {
+  if (!bytes.starts_with(kMagic)) refuse(file, "is no checkpoint of this version");
+  bytes.remove_prefix(kMagic.size());
+  const std::string_view digest = bytes.substr(0, kDigest);
+  const std::string_view body = bytes.substr(digest.size());
+  if (sha256_hex(body) != digest) refuse(file, "is damaged: its checksum does not hold");
+  if (!body.starts_with(config_hash)) refuse(file, "belongs to another configuration");
+  return body.substr(config_hash.size());
 }
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& file, const Model& model, const RunState& state,
-                      const std::string& config_hash) {
+std::string checkpoint_bytes(const Model& model, const RunState& state, const std::string& config_hash) {
   Writer writer;
   exchange(writer, model.system, state);
+  writer(stop_to_keep(state));
+  writer(state.cost);
   const std::string body = config_hash + writer.bytes();
-  write_file_atomically(file, kMagic + sha256_hex(body) + body);
+  return std::string(kMagic) + sha256_hex(body) + body;
+}
+
+void read_checkpoint_bytes(std::string_view bytes, const std::filesystem::path& file, Model& model, RunState& state,
+                           const std::string& config_hash) {
+  const std::string_view body = checked_body(bytes, file, config_hash);
+  Model restored_model = model;
+  RunState restored_state = state;
+  try {
+    Reader reader(body);
+    exchange(reader, restored_model.system, restored_state);
+    reader(restored_state.stop);
+    reader(restored_state.cost);
+    if (!reader.at_end()) throw std::runtime_error("is longer than its state");
+  } catch (const std::runtime_error& failure) {
+    refuse(file, failure.what());
+  }
+  if (!fits(restored_model.system, model.system)) refuse(file, "belongs to another mesh");
+  model = std::move(restored_model);
+  state = std::move(restored_state);
+}
+
+void write_checkpoint(const std::filesystem::path& file, const Model& model, const RunState& state,
+                      const std::string& config_hash) {
+  write_file_atomically(file, checkpoint_bytes(model, state, config_hash));
 }
 
 void read_checkpoint(const std::filesystem::path& file, Model& model, RunState& state, const std::string& config_hash) {
-  const std::string text = read_file(file);
-  const std::size_t head = std::strlen(kMagic);
-  if (text.size() < head + kDigest + config_hash.size() || !text.starts_with(kMagic))
-    refuse(file, "is no checkpoint of this version");
-  const std::string_view body = std::string_view(text).substr(head + kDigest);
-  if (sha256_hex(body) != text.substr(head, kDigest)) refuse(file, "is damaged: its checksum does not hold");
-  if (!body.starts_with(config_hash)) refuse(file, "belongs to another configuration");
-  Model restored_model = model;
-  RunState restored_state = state;
-  Reader reader(body.substr(config_hash.size()));
-  exchange(reader, restored_model.system, restored_state);
-  model = std::move(restored_model);
-  state = std::move(restored_state);
+  read_checkpoint_bytes(read_file(file), file, model, state, config_hash);
 }
 
 }  // namespace asperity

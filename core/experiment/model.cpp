@@ -100,6 +100,7 @@ Model build_model(const RunConfig& config, const ParallelLoops& loops) {
   if (config.contacts.general.enabled) system.contacts.hand_over_range = kHandOverRange;
   system.platens = make_platens(config);
   system.platen_springs = make_platen_springs(config, model.mesh, system.particles, law.k_t);
+  if (system.platens.friction > 0.0) system.platen_shear.assign(system.particles.node_count(), 0.0);
   system.local_damping = config.integration.local_damping;
   if (is_compression(config.experiment)) {
     system.flank = find_flanks(model.mesh, system.particles);

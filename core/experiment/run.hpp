@@ -23,11 +23,18 @@ struct RunObserver {
   std::function<void(const Frame&)> on_frame;
   std::function<void(const RunProgress&)> on_progress;
   std::function<bool()> interrupted;
-  std::function<void()> between_steps;  ///< After every sample's step, when the state may be written to a checkpoint.
+  std::function<bool()> checkpoint_due;    ///< Asked after every step.
+  std::function<void()> write_checkpoint;  ///< Called between two steps, with a state that has passed the guards.
 };
 
 /// Why the loop ended.
 enum class StopReason : int { running, strain, fraction_of_peak, time, interrupted };
+
+/// Wall time spent on a run in all its sessions, s.
+struct RunCost {
+  double compute_s = 0;
+  double output_s = 0;
+};
 
 /// Progress of a test beyond the model's own state; plain data, part of the checkpoint.
 struct RunState {
@@ -41,12 +48,14 @@ struct RunState {
   double kinetic_ratio = 1;
   int samples_below = 0;  ///< Consecutive samples below the stop fraction of the peak.
   StopReason stop = StopReason::running;
+  RunCost cost;
 };
 
 /// The state of a test that has not begun.
 RunState start_run(Model& model);
 
-/// Runs a test until its stop rule or an interruption. Throws a numerical error from the guards.
+/// Runs a test until its stop rule or an interruption. Throws a numerical error from the guards, which look at
+/// the state every `integration.guard_interval_steps`, at samples, before checkpoints and at the end.
 void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer);
 
 /// Steps between samples so that about `measurement.samples` rows reach the stop strain.

@@ -1,7 +1,7 @@
 #include "core/output/summary.hpp"
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
-#include "core/output/atomic_file.hpp"
 
 namespace asperity {
 namespace {

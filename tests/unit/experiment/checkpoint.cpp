@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <cstring>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
-#include "core/output/atomic_file.hpp"
+#include "core/base/sha256.hpp"
 #include "tests/unit/experiment/small_models.hpp"
 
 using namespace asperity;
@@ -163,6 +164,26 @@ TEST_CASE("a staged test goes on from a checkpoint in a hold to the same bits") 
   check_round_trip(config, 150, "staged.bin");
 }
 
+TEST_CASE("a run goes on from a checkpoint after any step to the same bits") {
+  RunConfig config = short_disc();
+  config.experiment.stop.axial_strain = 0.0015;
+  config.measurement.samples = 12;
+  Run whole(config);
+  std::vector<std::string> after_step;
+  RunObserver observer;
+  observer.checkpoint_due = [] { return true; };
+  observer.write_checkpoint = [&] { after_step.push_back(checkpoint_bytes(whole.model, whole.state, kHash)); };
+  run_experiment(whole.model, whole.state, ParallelLoops(), observer);
+  REQUIRE(after_step.size() == static_cast<std::size_t>(whole.model.system.step));
+  REQUIRE(after_step.size() > 100);
+  Run resumed(config);
+  for (const std::string& bytes : after_step) {
+    read_checkpoint_bytes(bytes, "bytes", resumed.model, resumed.state, kHash);
+    resumed.go_on();
+    check_same(resumed, whole);
+  }
+}
+
 TEST_CASE("a torn or changed checkpoint is refused and changes nothing") {
   const fs::path file = scratch_file("torn.bin");
   broken_off(short_disc(), 500, file);
@@ -191,6 +212,52 @@ TEST_CASE("another version's checkpoint is refused and changes nothing") {
   text[version] = '0';
   write_file_atomically(file, text);
   check_refused(file, "no checkpoint of this version");
+}
+
+TEST_CASE("a state of another layout or mesh is refused though its checksum holds") {
+  const fs::path file = scratch_file("forged.bin");
+  const Run run = broken_off(short_disc(), 500, file);
+  const std::string whole = read_file(file);
+  const std::size_t body = whole.find('\n') + 1 + 64;  // after the version's line and the checksum's hexadecimal digits
+  const auto forge = [&](const std::string& changed) {
+    write_file_atomically(file, whole.substr(0, body - 64) + sha256_hex(changed) + changed);
+  };
+  forge(whole.substr(body));
+  CHECK(restored(short_disc(), file).model.system.step == run.model.system.step);
+  forge(whole.substr(body, whole.size() - body - 1));
+  check_refused(file, "ends early");
+  forge(whole.substr(body) + "x");
+  check_refused(file, "is longer than its state");
+  std::string other_size = whole.substr(body);
+  other_size[kHash.size()] = 4;  // the first value's size, 8 bytes
+  forge(other_size);
+  check_refused(file, "was written by other code");
+  std::string huge = whole.substr(body);
+  const std::size_t count = huge.rfind(std::string("\x08\0\0\0\0\0\0\0", 8));
+  huge.replace(count + 8, 8, 8, '\xff');
+  forge(huge);
+  check_refused(file, "holds a list where one value is expected");
+  RunConfig coarser = short_disc();
+  coarser.particles.edge_mm = 6;
+  broken_off(coarser, 100, file);
+  check_refused(file, "belongs to another mesh");
+}
+
+TEST_CASE("a checkpoint keeps why a run ended and what it has cost") {
+  RunConfig config = short_disc();
+  config.experiment.stop.axial_strain = 0.001;
+  Run run(config);
+  run.go_on();
+  REQUIRE(run.state.stop == StopReason::strain);
+  run.state.cost = {1.5, 0.25};
+  const fs::path file = scratch_file("ended.bin");
+  write_checkpoint(file, run.model, run.state, kHash);
+  Run resumed = restored(config, file);
+  CHECK(resumed.state.stop == StopReason::strain);
+  CHECK(resumed.state.cost.compute_s == 1.5);
+  CHECK(resumed.state.cost.output_s == 0.25);
+  resumed.go_on();
+  check_same(resumed, run);
 }
 
 TEST_CASE("a checkpoint that is not there is an output error") {
