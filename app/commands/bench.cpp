@@ -8,6 +8,7 @@
 #include "app/commands/commands.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/build_info.hpp"
+#include "core/base/instruction_set.hpp"
 #include "core/experiment/step_benchmark.hpp"
 
 namespace asperity::app {
@@ -51,6 +52,20 @@ void print_row(const StepCost& c) {
   std::cout.flush();
 }
 
+/// The smaller registers on the smallest mesh, one thread.
+nlohmann::json other_instruction_sets(const System& system) {
+  nlohmann::json entries = nlohmann::json::array();
+  for (const InstructionSet& set : instruction_sets()) {
+    const ForcedInstructionSet forced(set);
+    const StepCost cost = measure_step(system, ParallelLoops(1));
+    entries.push_back({{"simd", set.name}, {"ratio", cost.reference_ns / cost.fast_ns}});
+    entries.back().update(to_json(cost));
+    fmt::print("{:>9} {} threads 1: {:.1f} ns/tri, {:.2f} times the reference\n", cost.triangles, set.name,
+               cost.fast_ns, cost.reference_ns / cost.fast_ns);
+  }
+  return entries;
+}
+
 }  // namespace
 
 int bench_command(const BenchOptions& options) {
@@ -64,6 +79,7 @@ int bench_command(const BenchOptions& options) {
                         {"simd", instruction_set()},
                         {"cores", cores}};
   fmt::print("{} {}, instruction set {}\n", build_info().version, build_info().revision, instruction_set());
+  nlohmann::json others;
   print_head();
   for (int triangles : sizes) {
     const System system = benchmark_system(triangles);
@@ -72,7 +88,9 @@ int bench_command(const BenchOptions& options) {
       report["sizes"].push_back(to_json(cost));
       print_row(cost);
     }
+    if (triangles == sizes.front()) others = other_instruction_sets(system);
   }
+  report["instruction_sets"] = others;
   if (options.json) write_file_atomically(*options.json, report.dump(2) + "\n");
   return 0;
 }

@@ -31,15 +31,18 @@ inline double damage_at(double kappa, double kappa_n, const LawParameters& p) {
 /// Work done by a traction that went from one value to another over a path in its own direction; never negative.
 inline double path_work(double from, double to, double path) { return std::max(0.0, 0.5 * (from + to) * path); }
 
-/// Slip of the intact share at its yield curve, Eqs. (D2), (D3): exact for a constant normal stress. Returns the slip.
-inline double slip_intact_share(PointState& s, double shear, double pressure, const LawParameters& p) {
+/// Slip of the intact share at its yield curve, Eqs. (D2), (D3): exact for a constant normal stress. Returns the slip;
+/// `secant` becomes Eq. (D6) at the hardening reached.
+inline double slip_intact_share(PointState& s, double shear, double pressure, const LawParameters& p, double& secant) {
   const double trial = p.k_s * (shear - s.slip);
   const double strength = kE * (p.c_c + pressure * p.tan_phi);
-  const double yield = strength * s.hardening * shear_secant_factor(s.hardening);
+  secant = shear_secant_factor(s.hardening);
+  const double yield = strength * s.hardening * secant;
   if (std::abs(trial) <= yield) return 0.0;
   const double x = s.hardening + (std::abs(trial) - yield) / strength;
   s.hardening = x;
-  const double slipped = (trial - std::copysign(strength * x * shear_secant_factor(x), trial)) / p.k_s;
+  secant = shear_secant_factor(x);
+  const double slipped = (trial - std::copysign(strength * x * secant, trial)) / p.k_s;
   s.slip += slipped;
   return slipped;
 }
@@ -78,18 +81,17 @@ inline BreakMode break_mode(double normal, double hardening, const LawParameters
   return kappa_n >= hardening ? BreakMode::tension : BreakMode::shear;
 }
 
-/// Damage of both modes at the present opening and hardening, Eqs. (D4)-(D6), (D8).
-inline void damage_contact(PointState& s, double normal, double shear, double stress_before, double limit,
-                           const LawParameters& p) {
+/// Damage of both modes at the present opening and hardening, Eqs. (D4)-(D6), (D8); `secant` is Eq. (D6).
+inline void damage_contact(PointState& s, double normal, double shear, double secant, double stress_before,
+                           double limit, const LawParameters& p) {
   const double opening = std::max(0.0, normal);
   const double kappa_n = opening * p.inverse_delta_ct;
   const double square = kappa_n * kappa_n + s.hardening * s.hardening;
   const double kappa = opening > 0.0 ? std::sqrt(square) : s.hardening;
   s.damage = std::max(s.damage, damage_at(kappa, kappa_n, p));
-  const double shear_secant = shear_secant_factor(s.hardening);
-  const double factor = opening > 0.0 ? secant_factor(kappa, s.damage) : (1.0 - s.damage) * shear_secant;
+  const double factor = opening > 0.0 ? secant_factor(kappa, s.damage) : (1.0 - s.damage) * secant;
   const double g_n = std::min(s.integrity_n, factor);
-  const double g_s = std::min(s.integrity_s, opening > 0.0 ? factor / shear_secant : 1.0 - s.damage);
+  const double g_s = std::min(s.integrity_s, opening > 0.0 ? factor / secant : 1.0 - s.damage);
   s.fracture_energy += 0.5 * p.k_t * std::max(0.0, s.normal) * opening * (s.integrity_n - g_n);
   s.integrity_n = g_n;
   if (g_s < s.integrity_s) hand_over(s, g_s, stress_before, p.k_s * (shear - s.slip), limit, shear - s.shear, p);
@@ -110,8 +112,9 @@ inline void update(PointState& s, double normal, double shear, const LawParamete
   if (s.broken == BreakMode::none) {
     const double stress_before = p.k_s * (s.shear - s.slip);
     const double traction_before = s.integrity_s * stress_before;
-    const double slipped = slip_intact_share(s, shear, pressure, p);
-    damage_contact(s, normal, shear, stress_before, pressure * p.tan_phi, p);
+    double secant = 1.0;
+    const double slipped = slip_intact_share(s, shear, pressure, p, secant);
+    damage_contact(s, normal, shear, secant, stress_before, pressure * p.tan_phi, p);
     s.fracture_energy += path_work(traction_before, s.integrity_s * p.k_s * (shear - s.slip), slipped);
   }
   s.normal = normal;

@@ -6,9 +6,11 @@
 namespace asperity {
 namespace {
 
-/// A platen contact is lost: what its friction still held is spent.
-void let_go(double& shear, double stiffness, NodeSums& sums) {
-  sums.platen_friction += 0.5 * shear * shear / stiffness;
+/// A platen contact is lost, or there was none: what its friction still held is spent.
+void let_go(System& system, std::size_t node, NodeSums& sums) {
+  if (system.platens.friction == 0.0 || system.platen_shear[node] == 0.0) return;
+  double& shear = system.platen_shear[node];
+  sums.platen_friction += 0.5 * shear * shear / system.platen_springs.at(node).stiffness;
   shear = 0.0;
 }
 
@@ -16,17 +18,18 @@ void let_go(double& shear, double stiffness, NodeSums& sums) {
 Vec2 platen_force(System& system, std::size_t node, NodeSums& sums) {
   const Platens& platens = system.platens;
   const double y = system.particles.position[node].y;
-  const PlatenSpring spring = system.platen_springs.at(node);
-  const double overlap[2] = {platens.y[0] - y - spring.skin, y - platens.y[1] - spring.skin};
-  const int side = overlap[0] > 0.0 ? 0 : 1;
-  const bool rough = platens.friction > 0.0;
-  if (overlap[side] <= 0.0) {
-    if (rough) let_go(system.platen_shear[node], spring.stiffness, sums);
+  const std::array<double, 2> beyond{platens.y[0] - y, y - platens.y[1]};
+  const int side = beyond[0] > 0.0 ? 0 : 1;
+  const PlatenSpring spring = beyond[side] > 0.0 ? system.platen_springs.at(node) : PlatenSpring{};
+  const double overlap = beyond[side] - spring.skin;
+  if (overlap <= 0.0) {
+    let_go(system, node, sums);
     return {0, 0};
   }
-  const double normal = spring.stiffness * overlap[side];
+  const bool rough = platens.friction > 0.0;
+  const double normal = spring.stiffness * overlap;
   sums.reaction[side] += normal;
-  sums.platen_energy += 0.5 * normal * overlap[side];
+  sums.platen_energy += 0.5 * normal * overlap;
   if (rough) {
     double& shear = system.platen_shear[node];
     const double trial = shear - spring.stiffness * system.particles.velocity[node].x * system.time_step;
@@ -74,16 +77,39 @@ void move_held_node(const System& system, std::size_t node, Vec2 force, Vec2 ext
   sums.fastest = std::max(sums.fastest, dot(v, v));
 }
 
-}  // namespace
-
+/// Velocity of a node half a step ahead under the force (N per mm of thickness) of triangles and contacts, Eqs.
+/// (I1)-(I6); what the energy account needs goes to sums.
 void move_node(System& system, std::size_t node, Vec2 internal, NodeSums& sums) {
-  const Vec2 external = system.loads.at(node) + system.particles.mass[node] * system.body_acceleration;
+  const Vec2 load = system.loads.nodes.empty() ? Vec2{} : system.loads.at(node);
+  const Vec2 external = load + system.particles.mass[node] * system.body_acceleration;
   Vec2 force = internal + external;
   if (system.platens.present) force += platen_force(system, node, sums);
   if (!system.held.empty() && system.held[node]) {
     move_held_node(system, node, force, external, sums);
   } else {
     move_free_node(system, node, force, external, sums);
+  }
+}
+
+}  // namespace
+
+NodeSums move_nodes_reference(System& system, std::size_t begin, std::size_t end, bool advance) {
+  Particles& p = system.particles;
+  NodeSums sums;
+  for (std::size_t node = begin; node < end; ++node) {
+    move_node(system, node, gather_force(system, node, system.forces), sums);
+    if (advance) p.position[node] += system.time_step * p.velocity[node];
+  }
+  return sums;
+}
+
+void move_triangle_reference(System& system, std::size_t triangle, const std::array<Vec2, 3>& internal, bool advance,
+                             NodeSums& sums) {
+  Particles& p = system.particles;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t node = 3 * triangle + k;
+    move_node(system, node, internal[k], sums);
+    if (advance) p.position[node] += system.time_step * p.velocity[node];
   }
 }
 

@@ -7,9 +7,14 @@ namespace asperity {
 /// Whether triangles write their forces for the nodes to gather, as they must where nodes are shared.
 bool corners_written(const System& system);
 
-/// Velocity of a node half a step ahead under the force (N per mm of thickness) of triangles and contacts, Eqs.
-/// (I1)-(I6); what the energy account needs goes to sums.
-void move_node(System& system, std::size_t node, Vec2 internal, NodeSums& sums);
+/// Velocities of nodes [begin, end) half a step ahead under the forces that each gathers, Eqs. (I1)-(I6), one after the
+/// other; with `advance`, positions go one step ahead too.
+NodeSums move_nodes_reference(System& system, std::size_t begin, std::size_t end, bool advance);
+
+/// The same for the nodes of one triangle, which are its own, under given forces of triangle and contacts (N per mm of
+/// thickness).
+void move_triangle_reference(System& system, std::size_t triangle, const std::array<Vec2, 3>& internal, bool advance,
+                             NodeSums& sums);
 
 /// Forces and velocities of all nodes of triangles [begin, end), whose nodes are their own; begin is a multiple of 8.
 /// With `advance`, positions go one step ahead too.

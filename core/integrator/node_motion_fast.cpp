@@ -196,18 +196,12 @@ HWY_INLINE void store_corner(const Points& points, std::vector<Vec2>& x, const B
 /// The special lanes' triangles, node by node.
 void move_special(System& system, const Batch& batch, unsigned special, const Corners& force, bool advance,
                   NodeSums& sums) {
-  Vec2 internal[3][kLanes];
+  std::array<std::array<Vec2, 3>, kLanes> internal;
   for (std::size_t k = 0; k < 3; ++k) {
-    store_points(force[k], [&](std::size_t lane) { return &internal[k][lane].x; });
+    store_points(force[k], [&](std::size_t lane) { return &internal[lane][k].x; });
   }
-  Particles& p = system.particles;
   for (std::size_t lane = 0; lane < batch.count; ++lane) {
-    if (!(special >> lane & 1)) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t node = 3 * (batch.first + lane) + k;
-      move_node(system, node, internal[k][lane], sums);
-      if (advance) p.position[node] += system.time_step * p.velocity[node];
-    }
+    if (special >> lane & 1) move_triangle_reference(system, batch.first + lane, internal[lane], advance, sums);
   }
 }
 

@@ -24,14 +24,8 @@ NodeSums move_nodes(System& system, const ParallelLoops& loops, bool advance) {
       return move_triangles_fast(system, begin, end, advance);
     });
   }
-  Particles& p = system.particles;
-  return loops.sum_blocks<NodeSums>(p.node_count(), [&](std::size_t begin, std::size_t end) {
-    NodeSums sums;
-    for (std::size_t node = begin; node < end; ++node) {
-      move_node(system, node, gather_force(system, node, system.forces), sums);
-      if (advance) p.position[node] += system.time_step * p.velocity[node];
-    }
-    return sums;
+  return loops.sum_blocks<NodeSums>(system.particles.node_count(), [&](std::size_t begin, std::size_t end) {
+    return move_nodes_reference(system, begin, end, advance);
   });
 }
 

@@ -66,19 +66,6 @@ void prepare(System& system) {
   if (!system.particles.separate) list_gather(system);
 }
 
-Vec2 gather_force(const System& system, std::size_t node, std::span<const Vec2> forces) {
-  if (!system.particles.separate) {
-    Vec2 force;
-    const NodeGather& gather = system.gather;
-    for (int i = gather.begin[node]; i < gather.begin[node + 1]; ++i) force += forces[gather.index[i]];
-    return force;
-  }
-  const std::size_t first = node - node % 3, k = node % 3;
-  const std::vector<int>& slot = system.contacts.slot_of_edge;
-  return forces[2 * system.contacts.slot_count() + node] + forces[2 * slot[node]] +
-         forces[2 * slot[first + (k + 2) % 3] + 1];
-}
-
 Vec2 internal_force(const System& system, std::size_t node) {
   if (corners_written(system)) return gather_force(system, node, system.forces);
   const Particles& p = system.particles;

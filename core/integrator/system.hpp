@@ -131,7 +131,18 @@ void update_motion(System& system, const ParallelLoops& loops);
 Vec2 internal_force(const System& system, std::size_t node);
 
 /// The same from a list of forces laid out as `System::forces` with corners.
-Vec2 gather_force(const System& system, std::size_t node, std::span<const Vec2> forces);
+inline Vec2 gather_force(const System& system, std::size_t node, std::span<const Vec2> forces) {
+  if (!system.particles.separate) {
+    Vec2 force;
+    const NodeGather& gather = system.gather;
+    for (int i = gather.begin[node]; i < gather.begin[node + 1]; ++i) force += forces[gather.index[i]];
+    return force;
+  }
+  const std::size_t first = node - node % 3, k = node % 3;
+  const std::vector<int>& slot = system.contacts.slot_of_edge;
+  return forces[2 * system.contacts.slot_count() + node] + forces[2 * slot[node]] +
+         forces[2 * slot[first + (k + 2) % 3] + 1];
+}
 
 /// All energies at the present instant; valid between update_velocities and update_positions.
 EnergyBalance energy_balance(const System& system, const ParallelLoops& loops);
