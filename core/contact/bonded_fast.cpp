@@ -104,9 +104,9 @@ HWY_INLINE void hand_over(State& s, Real integrity_s, Real stress_before, Real s
   s.fracture_energy = Add(s.fracture_energy, Mul(Mul(p.half_inverse_k_s, part), lost));
   const Lanes shared = hn::Gt(share, Zero(kDoubles));
   if (any(shared)) {
-    const Real gap = Sub(kept, hn::Div(s.friction, share));
-    const Real joined = hn::Div(Mul(part, share), Add(part, share));
-    const Real equalised = Mul(Mul(p.half_inverse_k_s, joined), Mul(gap, gap));
+    // part share / (part + share) (kept - friction / share)^2 with one division
+    const Real gap = Sub(Mul(kept, share), s.friction);
+    const Real equalised = hn::Div(Mul(Mul(p.half_inverse_k_s, part), Mul(gap, gap)), Mul(share, Add(part, share)));
     s.fracture_energy = Add(s.fracture_energy, IfThenElseZero(shared, equalised));
   }
   const Real taken = Mul(part, kept);
