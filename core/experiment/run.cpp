@@ -64,10 +64,17 @@ StopReason stop_reason(const Model& model, RunState& state) {
   return StopReason::running;
 }
 
+bool rate_controlled(const Model& model) { return model.config.experiment.loading.rate_control.enabled; }
+
+/// Rows stand at equal closures, which a constant rate passes in equal numbers of steps.
 bool sample_due(const Model& model, const RunState& state, std::int64_t interval) {
   if (state.loading.phase == LoadingPhase::confining) return false;
+  if (state.samples.empty()) return true;
   if (staged(model)) return state.loading.stages > state.stages_sampled;
-  return state.steps_in_sample >= interval;
+  if (!rate_controlled(model)) return state.steps_in_sample >= interval;
+  const ExperimentConfig& e = model.config.experiment;
+  const double spacing = e.stop.axial_strain * specimen_height(e) / model.config.measurement.samples;
+  return closure(model, state.loading) - state.samples.back().closure_mm >= spacing;
 }
 
 void take_sample(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {
@@ -94,6 +101,23 @@ void take_frame(const Model& model, RunState& state, const RunObserver& observer
   while (state.next_frame_strain <= state.samples.back().axial_strain) state.next_frame_strain += interval;
 }
 
+void sample_and_frame(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {
+  take_sample(model, state, loops, observer);
+  if (state.samples.back().axial_strain >= state.next_frame_strain || state.stop != StopReason::running) {
+    take_frame(model, state, observer);
+  }
+}
+
+/// The equilibria of an elastic start, each a row of its own.
+void start_elastically(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {
+  start_elastically(model, state.loading, loops, [&] {
+    state.reaction_sum = {};
+    state.reaction_sum.reaction = model.system.sums.reaction;
+    state.steps_in_sample = 1;
+    sample_and_frame(model, state, loops, observer);
+  });
+}
+
 }  // namespace
 
 RunState start_run(Model& model) {
@@ -112,6 +136,10 @@ void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, c
   System& system = model.system;
   const std::int64_t interval = steps_per_sample(model);
   while (state.stop == StopReason::running) {
+    if (state.loading.phase == LoadingPhase::elastic_start && !state.samples.empty()) {
+      start_elastically(model, state, loops, observer);
+      continue;
+    }
     compute_forces(system, loops);
     drive(model, state.loading, state.kinetic_ratio);
     update_velocities(system, loops);
@@ -123,13 +151,10 @@ void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, c
     if (staged(model) || state.loading.phase == LoadingPhase::confining) {
       if (system.step % kEnergyInterval == 0) state.kinetic_ratio = kinetic_ratio(energy_balance(system, loops));
     }
-    if (sample_due(model, state, interval) ||
-        (state.samples.empty() && state.loading.phase != LoadingPhase::confining)) {
-      take_sample(model, state, loops, observer);
-      if (state.samples.back().axial_strain >= state.next_frame_strain || state.stop != StopReason::running) {
-        take_frame(model, state, observer);
-      }
+    if (rate_controlled(model) && state.loading.phase == LoadingPhase::moving && system.step % kRateInterval == 0) {
+      choose_growth(model, state.loading.rate_control, loops);
     }
+    if (sample_due(model, state, interval)) sample_and_frame(model, state, loops, observer);
     update_positions(system, loops);
     if (state.steps_in_sample == 0 && observer.between_steps) observer.between_steps();
     if (state.stop == StopReason::running && observer.interrupted && observer.interrupted())
