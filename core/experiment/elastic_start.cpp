@@ -52,6 +52,32 @@ double largest(const std::vector<Vec2>& force) {
   return std::sqrt(square);
 }
 
+/// The forces without those that only inertia can balance between frictionless platens, spread over the masses: the
+/// net force along the platens and, where the specimen may roll, the net moment; Eq. (E7).
+std::vector<Vec2> relieved(std::vector<Vec2> force, const Particles& p, bool may_roll) {
+  double mass = 0.0, sideways = 0.0;
+  Vec2 centre;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    mass += p.mass[i];
+    centre += p.mass[i] * p.position[i];
+    sideways += force[i].x;
+  }
+  centre = (1.0 / mass) * centre;
+  for (std::size_t i = 0; i < force.size(); ++i) force[i].x -= sideways / mass * p.mass[i];
+  if (!may_roll) return force;
+  double moment = 0.0, inertia = 0.0;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const Vec2 arm = p.position[i] - centre;
+    moment += cross(arm, force[i]);
+    inertia += p.mass[i] * dot(arm, arm);
+  }
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const Vec2 arm = p.position[i] - centre;
+    force[i] += (-moment / inertia * p.mass[i]) * Vec2{-arm.y, arm.x};
+  }
+  return force;
+}
+
 /// An equilibrium on the path: what changes from one to the next, and the forces there.
 struct Equilibrium {
   std::vector<Vec2> position;
@@ -88,13 +114,14 @@ void bring_to_rest(System& system, const ParallelLoops& loops) {
 
 /// Newton's iteration with a stiffness that is factorised anew only where platens meet other nodes: Eq. (E7). The
 /// contacts' memory is taken forward from `from` at every trial. False where it does not converge.
-bool find_equilibrium(System& system, const Equilibrium& from, const ParallelLoops& loops, ElasticStart& count) {
+bool find_equilibrium(System& system, const Equilibrium& from, bool may_roll, const ParallelLoops& loops,
+                      ElasticStart& count) {
   std::unique_ptr<StaticStiffness> stiffness;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     system.contacts = from.contacts;
     compute_forces(system, loops);
-    const std::vector<Vec2> unbalanced = out_of_balance(system);
     const PlatenLoad load = platen_load(system);
+    const std::vector<Vec2> unbalanced = relieved(out_of_balance(system), system.particles, may_roll);
     const double size = largest(unbalanced);
     if (!std::isfinite(size)) return false;
     if (iteration > 0 && size <= kBalance * (load.reaction[0] + load.reaction[1])) return true;
@@ -165,6 +192,7 @@ ElasticStart solve_elastic_start(Model& model, const ParallelLoops& loops,
   const LoadingConfig& loading = model.config.experiment.loading;
   const double height = specimen_height(model.config.experiment);
   const double wanted = loading.elastic_start_fraction;
+  const bool may_roll = model.config.experiment.type == ExperimentType::brazilian;
   ElasticStart result;
   bring_to_rest(system, loops);
   Equilibrium from = present(system);
@@ -174,7 +202,7 @@ ElasticStart solve_elastic_start(Model& model, const ParallelLoops& loops,
   while (result.separation < kReached * wanted) {
     close_platens(system, closure);
     for (std::size_t i = 0; i < trend.size(); ++i) system.particles.position[i] += closure * trend[i];
-    const bool found = find_equilibrium(system, from, loops, result);
+    const bool found = find_equilibrium(system, from, may_roll, loops, result);
     const double separation = largest_separation(system.contacts);
     if (!found || separation > kPassed * wanted) {
       restore(system, from);

@@ -12,7 +12,7 @@ using Entries = std::vector<Eigen::Triplet<double>>;
 
 /// Share of each diagonal entry's mean that is added to hold rigid motion along the platens; far below the stiffness of
 /// the specimen as a whole, so that it does not slow the solution down.
-constexpr double kRigidHold = 1e-9;
+constexpr double kRigidHold = 1e-7;
 
 /// Depth of a node in the platens: bottom, top; positive where one presses it.
 std::array<double, 2> platen_depth(const System& system, std::size_t node) {
