@@ -128,7 +128,7 @@ struct ContactConfig {
 struct MassScalingConfig {
   bool uniform = false;
   double time_step_factor = 1.5;  ///< Critical time step over that of the unscaled specimen.
-  double added_mass_bound = 0.5;  ///< Added mass over the specimen's above which a run warns.
+  double added_mass_bound = 2.0;  ///< Added mass over the specimen's above which a run warns.
   bool operator==(const MassScalingConfig&) const = default;
 };
 

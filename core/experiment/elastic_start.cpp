@@ -185,7 +185,7 @@ double largest_separation(const BondedContacts& contacts) {
 }
 
 ElasticStart solve_elastic_start(Model& model, const ParallelLoops& loops,
-                                 const std::function<void()>& on_equilibrium) {
+                                 const std::function<bool()>& on_equilibrium) {
   constexpr double kReached = 0.995;  // of the separation wanted
   constexpr double kPassed = 1.01;
   System& system = model.system;
@@ -220,10 +220,13 @@ ElasticStart solve_elastic_start(Model& model, const ParallelLoops& loops,
     ++result.increments;
     system.general.search_due = 1;
     system.time += closure / loading.closing_rate_mm_per_s;
-    on_equilibrium();
+    const bool go_on = on_equilibrium();
     const double rise = separation - result.separation;
     result.separation = separation;
-    if (separation >= kReached * wanted) set_in_motion(system, from, to, closure, loading.closing_rate_mm_per_s);
+    if (!go_on || separation >= kReached * wanted) {
+      set_in_motion(system, from, to, closure, loading.closing_rate_mm_per_s);
+      return result;
+    }
     closure = next_closure(closure, rise, separation, wanted);
     from = to;
   }

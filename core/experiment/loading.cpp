@@ -110,7 +110,7 @@ LoadingState start_loading(Model& model) {
 }
 
 void start_elastically(Model& model, LoadingState& state, const ParallelLoops& loops,
-                       const std::function<void()>& on_equilibrium) {
+                       const std::function<bool()>& on_equilibrium) {
   state.elastic_start = solve_elastic_start(model, loops, on_equilibrium);
   state.elastic_start_closure_mm = closure(model, state);
   if (state.elastic_start.increments == 0) return set_moving(model, state);

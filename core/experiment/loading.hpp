@@ -29,9 +29,9 @@ LoadingState start_loading(Model& model);
 void drive(Model& model, LoadingState& state, double kinetic_ratio);
 
 /// Makes the elastic start of a test in that phase, after which its platens move; `on_equilibrium` is called at each
-/// equilibrium. Throws a numerical error where there is none.
+/// equilibrium and says whether to go on. Throws a numerical error where there is none.
 void start_elastically(Model& model, LoadingState& state, const ParallelLoops& loops,
-                       const std::function<void()>& on_equilibrium);
+                       const std::function<bool()>& on_equilibrium);
 
 /// Approach of the platens since the zero, mm.
 double closure(const Model& model, const LoadingState& state);

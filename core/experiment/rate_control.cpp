@@ -6,6 +6,7 @@
 
 #include "core/base/units.hpp"
 #include "core/contact/closed_forms.hpp"
+#include "core/measurement/crack_network.hpp"
 
 namespace asperity {
 namespace {
@@ -15,6 +16,15 @@ constexpr double kFastestGrowth = 0.25;  // per transit: an acceleration the spe
 constexpr double kFastestDecline = 2.0;  // per transit
 
 bool is_compression(const Model& model) { return model.config.experiment.type != ExperimentType::brazilian; }
+
+/// Whether a contact broke within the last transit.
+bool cracks_run(const Model& model, RateControlState& state, const ParallelLoops& loops) {
+  const CrackCounts cracks = count_cracks(model.system.contacts, loops);
+  const int broken = cracks.tension + cracks.shear;
+  if (broken > state.broken) state.crack_time = model.system.time;
+  state.broken = broken;
+  return state.crack_time >= 0.0 && model.system.time - state.crack_time < transit_time(model);
+}
 
 }  // namespace
 
@@ -49,7 +59,10 @@ void choose_growth(const Model& model, RateControlState& state, const ParallelLo
   if (stored <= 0.0) return;
   const double bound = model.config.experiment.loading.rate_control.kinetic_ratio_bound;
   state.ratio = relative_kinetic_energy(model, loops) / stored;
-  const double wanted = 0.5 * std::log(kAim * bound / std::max(state.ratio, 1e-12 * bound));
+  double wanted = 0.5 * std::log(kAim * bound / std::max(state.ratio, 1e-12 * bound));
+  if (cracks_run(model, state, loops)) {
+    wanted = std::min(wanted, std::log(model.config.experiment.loading.closing_rate_mm_per_s / state.rate));
+  }
   state.growth = std::clamp(wanted, -kFastestDecline, kFastestGrowth) / transit_time(model);
 }
 

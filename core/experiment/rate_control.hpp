@@ -5,9 +5,11 @@ namespace asperity {
 
 /// Where the closing rate of a controlled test stands; plain data, part of the checkpoint.
 struct RateControlState {
-  double rate = 0;    ///< Closing rate, mm/s.
-  double growth = 0;  ///< Its relative growth, 1/s, until the next look.
-  double ratio = 0;   ///< Kinetic over strain energy at the last look.
+  double rate = 0;         ///< Closing rate, mm/s.
+  double growth = 0;       ///< Its relative growth, 1/s, until the next look.
+  double ratio = 0;        ///< Kinetic over strain energy at the last look.
+  int broken = 0;          ///< Contacts broken at the last look.
+  double crack_time = -1;  ///< s, the last look that found another one broken; -1: none.
 };
 
 /// Steps between two looks at the kinetic energy.
@@ -20,8 +22,8 @@ double transit_time(const Model& model);
 /// to the linear velocity field that joins the platens, Eq. (E4); the whole in a disc.
 double relative_kinetic_energy(const Model& model, const ParallelLoops& loops);
 
-/// Looks at the kinetic energy and chooses how the rate goes on, Eq. (E5). Call between update_velocities and
-/// update_positions every kRateInterval steps.
+/// Looks at the kinetic energy and the cracks and chooses how the rate goes on, Eq. (E5). Call between
+/// update_velocities and update_positions every kRateInterval steps.
 void choose_growth(const Model& model, RateControlState& state, const ParallelLoops& loops);
 
 /// Carries the rate on by one time step, within its two ends. Returns it, mm/s.

@@ -115,6 +115,7 @@ void start_elastically(Model& model, RunState& state, const ParallelLoops& loops
     state.reaction_sum.reaction = model.system.sums.reaction;
     state.steps_in_sample = 1;
     sample_and_frame(model, state, loops, observer);
+    return state.stop == StopReason::running;
   });
 }
 
