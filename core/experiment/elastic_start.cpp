@@ -112,11 +112,25 @@ void bring_to_rest(System& system, const ParallelLoops& loops) {
   system.platens.velocity = system.platens.last_velocity = {0, 0};
 }
 
-/// Newton's iteration with a stiffness that is factorised anew only where platens meet other nodes: Eq. (E7). The
+/// Aitken's factor on the next correction, from the last one and the factor it had: it calms corrections that change
+/// sign because a contact unloads more stiffly than it was loaded.
+double relaxation(double factor, const std::vector<Vec2>& last, const std::vector<Vec2>& correction) {
+  double along = 0.0, square = 0.0;
+  for (std::size_t i = 0; i < correction.size(); ++i) {
+    const Vec2 change = correction[i] - last[i];
+    along += dot(last[i], change);
+    square += dot(change, change);
+  }
+  return std::clamp(-factor * along / square, 0.1, 1.5);
+}
+
+/// Newton's iteration with a stiffness that is factorised once, and anew where platens meet other nodes: Eq. (E7). The
 /// contacts' memory is taken forward from `from` at every trial. False where it does not converge.
 bool find_equilibrium(System& system, const Equilibrium& from, bool may_roll, const ParallelLoops& loops,
                       ElasticStart& count) {
   std::unique_ptr<StaticStiffness> stiffness;
+  std::vector<Vec2> last;
+  double factor = 1.0;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     system.contacts = from.contacts;
     compute_forces(system, loops);
@@ -128,9 +142,12 @@ bool find_equilibrium(System& system, const Equilibrium& from, bool may_roll, co
     if (!stiffness || stiffness->on_platens() != nodes_on_platens(system)) {
       stiffness = std::make_unique<StaticStiffness>(system, tangent_stiffness(system.contacts));
       ++count.factorisations;
+      last.clear();
     }
     const std::vector<Vec2> correction = stiffness->solve(unbalanced);
-    for (std::size_t i = 0; i < correction.size(); ++i) system.particles.position[i] += correction[i];
+    factor = last.empty() ? 1.0 : relaxation(factor, last, correction);
+    for (std::size_t i = 0; i < correction.size(); ++i) system.particles.position[i] += factor * correction[i];
+    last = correction;
     ++count.iterations;
   }
   return false;

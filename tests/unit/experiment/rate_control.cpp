@@ -70,7 +70,8 @@ TEST_CASE("the rate rises while little moves, holds the bound, and falls to the 
   config.experiment.loading.rate_control.fastest_rate_factor = 16.0;
   const double bound = config.experiment.loading.rate_control.kinetic_ratio_bound = 2e-4;
   const std::vector<Look> looks = looks_of(config);
-  const double transit = transit_time(small_model(config));
+  const Model model = small_model(config);
+  const double interval = kRateInterval * model.system.time_step / transit_time(model);
   const auto first_crack = std::find_if(looks.begin(), looks.end(), [](const Look& l) { return l.crack; });
   REQUIRE(first_crack != looks.end());
   REQUIRE(first_crack - looks.begin() > 50);
@@ -86,9 +87,8 @@ TEST_CASE("the rate rises while little moves, holds the bound, and falls to the 
     if (looks[i].crack && looks[i].rate > 80.0 * 1.001) CHECK(looks[i].growth < 0.0);
     // No jump: e^2 down and e^(1/4) up a transit at most.
     const double change = std::log(looks[i].rate / looks[i - 1].rate);
-    const double step = kRateInterval * small_model(config).system.time_step / transit;
-    REQUIRE(change <= 0.25 * step * 1.001);
-    REQUIRE(change >= -2.0 * step * 1.001);
+    REQUIRE(change <= 0.25 * interval * 1.001);
+    REQUIRE(change >= -2.0 * interval * 1.001);
   }
   const auto slow =
       std::min_element(first_crack, looks.end(), [](const Look& a, const Look& b) { return a.rate < b.rate; });
