@@ -27,7 +27,7 @@ struct RateControlConfig {
   bool enabled = false;
   double kinetic_ratio_bound = 0.02;  ///< Kinetic over strain energy that the rate keeps below.
   double slowest_rate_factor = 0.25;  ///< Times the closing rate.
-  double fastest_rate_factor = 4.0;   ///< Times the closing rate.
+  double fastest_rate_factor = 8.0;   ///< Times the closing rate.
   bool operator==(const RateControlConfig&) const = default;
 };
 

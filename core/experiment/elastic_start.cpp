@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "core/base/error.hpp"
+#include "core/experiment/softening.hpp"
 #include "core/integrator/static_stiffness.hpp"
 
 namespace asperity {
@@ -17,20 +17,6 @@ constexpr double kBalance = 1e-7;        // out-of-balance force on any node ove
 constexpr double kFirstClosure = 1e-4;   // of the height: the first increment, before anything is known
 constexpr double kLeastClosure = 1e-9;   // of the height: an increment halved this far has no equilibrium
 constexpr double kLeastStiffness = 0.1;  // of the initial one: keeps the factorised stiffness positive
-
-/// Opening and shear of a contact point over the separations at which it softens, Eq. (E6).
-struct NormalisedSeparation {
-  double opening = 0, shear = 0;
-  double size() const { return std::hypot(opening, shear); }
-};
-
-NormalisedSeparation normalised_separation(const PointState& point, const BondedContacts& contacts) {
-  const LawParameters& law = contacts.law;
-  const double friction = contacts.reading == LawReading::literal ? law.coulomb : law.tan_phi;
-  const double pressure = std::max(0.0, -law.k_t * point.normal);
-  const double critical_shear = std::numbers::e * (law.c_c + pressure * friction) / law.k_s;
-  return {std::max(0.0, point.normal) * law.inverse_delta_ct, std::abs(point.shear) / critical_shear};
-}
 
 /// Slope of x exp(-x), Eqs 3 and 6, over its initial one.
 double softened(double x) { return std::max(kLeastStiffness, (1.0 - x) * std::exp(-x)); }
@@ -190,16 +176,6 @@ double next_closure(double closure, double rise, double separation, double wante
 }
 
 }  // namespace
-
-double largest_separation(const BondedContacts& contacts) {
-  double size = 0.0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    for (std::size_t q = 0; q < 2; ++q) {
-      size = std::max(size, normalised_separation(contacts.points[c][q], contacts).size());
-    }
-  }
-  return size;
-}
 
 ElasticStart solve_elastic_start(Model& model, const ParallelLoops& loops,
                                  const std::function<bool()>& on_equilibrium) {

@@ -13,9 +13,6 @@ struct ElasticStart {
   double separation = 0;  ///< Largest normalised separation of a contact point at its end, Eq. (E6).
 };
 
-/// Largest normalised separation of all contact points, 1 at first softening; Eq. (E6).
-double largest_separation(const BondedContacts& contacts);
-
 /// Closes the platens from the present state through static equilibria until the largest normalised separation reaches
 /// `experiment.loading.elastic_start_fraction`, Eqs. (E6)-(E8); `on_equilibrium` is called at each, with reactions and
 /// energies of the system up to date, and says whether to go on. At the end the specimen moves with the platens'

@@ -6,24 +6,30 @@
 
 #include "core/base/units.hpp"
 #include "core/contact/closed_forms.hpp"
-#include "core/measurement/crack_network.hpp"
+#include "core/experiment/softening.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr double kAim = 0.25;            // of the bound: half the bound's amplitude, which leaves room for cracks
 constexpr double kFastestGrowth = 0.25;  // per transit: an acceleration the specimen follows without ringing
+constexpr double kNearSoftening = 0.9;   // of the separation at which a contact softens
 constexpr double kFastestDecline = 2.0;  // per transit
 
 bool is_compression(const Model& model) { return model.config.experiment.type != ExperimentType::brazilian; }
 
-/// Whether a contact broke within the last transit.
+/// Whether cracks run or are about to: a contact point came near softening within the last transit.
 bool cracks_run(const Model& model, RateControlState& state, const ParallelLoops& loops) {
-  const CrackCounts cracks = count_cracks(model.system.contacts, loops);
-  const int broken = cracks.tension + cracks.shear;
-  if (broken > state.broken) state.crack_time = model.system.time;
-  state.broken = broken;
+  const int separated = count_separated(model.system.contacts, kNearSoftening, loops);
+  if (separated > state.separated) state.crack_time = model.system.time;
+  state.separated = std::max(state.separated, separated);
   return state.crack_time >= 0.0 && model.system.time - state.crack_time < transit_time(model);
+}
+
+/// Closing rate (mm/s) whose effect with the scaled masses is that of the configured one without: waves and cracks are
+/// slower by the root of the mass.
+double equivalent_closing_rate(const Model& model) {
+  return model.config.experiment.loading.closing_rate_mm_per_s / std::sqrt(1.0 + model.added_mass_fraction);
 }
 
 }  // namespace
@@ -61,15 +67,15 @@ void choose_growth(const Model& model, RateControlState& state, const ParallelLo
   state.ratio = relative_kinetic_energy(model, loops) / stored;
   double wanted = 0.5 * std::log(kAim * bound / std::max(state.ratio, 1e-12 * bound));
   if (cracks_run(model, state, loops)) {
-    wanted = std::min(wanted, std::log(model.config.experiment.loading.closing_rate_mm_per_s / state.rate));
+    wanted = std::min(wanted, std::log(equivalent_closing_rate(model) / state.rate));
   }
   state.growth = std::clamp(wanted, -kFastestDecline, kFastestGrowth) / transit_time(model);
 }
 
 double advance_rate(const Model& model, RateControlState& state) {
-  const LoadingConfig& loading = model.config.experiment.loading;
-  const double slowest = loading.rate_control.slowest_rate_factor * loading.closing_rate_mm_per_s;
-  const double fastest = loading.rate_control.fastest_rate_factor * loading.closing_rate_mm_per_s;
+  const RateControlConfig& control = model.config.experiment.loading.rate_control;
+  const double slowest = control.slowest_rate_factor * equivalent_closing_rate(model);
+  const double fastest = control.fastest_rate_factor * equivalent_closing_rate(model);
   state.rate = std::clamp(state.rate * std::exp(state.growth * model.system.time_step), slowest, fastest);
   return state.rate;
 }

@@ -8,8 +8,8 @@ struct RateControlState {
   double rate = 0;         ///< Closing rate, mm/s.
   double growth = 0;       ///< Its relative growth, 1/s, until the next look.
   double ratio = 0;        ///< Kinetic over strain energy at the last look.
-  int broken = 0;          ///< Contacts broken at the last look.
-  double crack_time = -1;  ///< s, the last look that found another one broken; -1: none.
+  int separated = 0;       ///< Most contact points near softening, or past it, at any look.
+  double crack_time = -1;  ///< s, the last look that found more of them; -1: none.
 };
 
 /// Steps between two looks at the kinetic energy.

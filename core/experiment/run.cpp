@@ -74,7 +74,8 @@ bool sample_due(const Model& model, const RunState& state, std::int64_t interval
   if (!rate_controlled(model)) return state.steps_in_sample >= interval;
   const ExperimentConfig& e = model.config.experiment;
   const double spacing = e.stop.axial_strain * specimen_height(e) / model.config.measurement.samples;
-  return closure(model, state.loading) - state.samples.back().closure_mm >= spacing;
+  const double last = state.samples.back().closure_mm;
+  return std::floor(closure(model, state.loading) / spacing) > std::floor(last / spacing);
 }
 
 void take_sample(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {

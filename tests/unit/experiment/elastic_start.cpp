@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/experiment/summarise.hpp"
+#include "core/experiment/softening.hpp"
 #include "core/measurement/results.hpp"
 #include "tests/unit/experiment/small_models.hpp"
 
