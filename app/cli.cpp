@@ -117,6 +117,24 @@ void add_bench(CLI::App& cli, Action& action) {
   command->callback([=, &action] { action = [=] { return bench_command(*options); }; });
 }
 
+void add_acceleration(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<AccelerationOptions>();
+  CLI::App* command = cli.add_subcommand(
+      "acceleration", "Measures rate control, mass scaling and elastic start against slow, unscaled loading");
+  command->add_option("config", options->configs, "Run configurations (JSON); default configs/acceleration/*.json");
+  command->add_option("--seeds", options->seeds, "Meshes a test")->capture_default_str()->check(CLI::Range(1, 100));
+  command
+      ->add_option("--reference-rate", options->reference_rate_factor,
+                   "Closing rate of the reference over the configuration's")
+      ->capture_default_str()
+      ->check(CLI::Range(0.001, 1.0));
+  command->add_option("--json", options->json, "Writes every run's figures to this file");
+  command->footer(
+      "Exits 6 where a mean peak lies more than 2 % off the reference's.\nExamples:\n  asperity acceleration\n"
+      "  asperity acceleration configs/acceleration/uniaxial.json --seeds 5 --json outputs/acceleration.json");
+  command->callback([=, &action] { action = [=] { return acceleration_command(*options); }; });
+}
+
 void add_info(CLI::App& cli, Action& action) {
   CLI::App* command = cli.add_subcommand("info", "Prints version, revision, libraries and machine");
   command->footer("Example:\n  asperity info");
@@ -147,8 +165,8 @@ int run_command_line(int argc, char** argv) {
       "data, "
       "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
   Action action;
-  for (const auto add :
-       {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_audit, add_bench, add_info}) {
+  for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_audit,
+                         add_acceleration, add_bench, add_info}) {
     add(cli, action);
   }
   try {

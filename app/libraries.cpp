@@ -17,6 +17,7 @@ std::string json_version() {
 std::map<std::string, std::string> library_versions() {
   return {{"CGAL", ASPERITY_CGAL_VERSION},
           {"CLI11", CLI11_VERSION},
+          {"Eigen", ASPERITY_EIGEN_VERSION},
           {"VTK", ASPERITY_VTK_VERSION},
           {"oneTBB", ASPERITY_TBB_VERSION},
           {"nlohmann_json", json_version()}};

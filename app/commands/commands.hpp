@@ -65,6 +65,16 @@ struct BenchOptions {
 
 int bench_command(const BenchOptions& options);
 
+struct AccelerationOptions {
+  std::vector<std::filesystem::path> configs{"configs/acceleration/uniaxial.json", "configs/acceleration/triaxial.json",
+                                             "configs/acceleration/brazilian.json"};
+  int seeds = 3;
+  double reference_rate_factor = 0.25;  ///< Closing rate of the reference over the configuration's.
+  std::optional<std::filesystem::path> json;
+};
+
+int acceleration_command(const AccelerationOptions& options);
+
 int info_command();
 
 }  // namespace asperity::app

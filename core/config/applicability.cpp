@@ -29,6 +29,7 @@ const std::vector<ConditionalKey>& conditional_keys() {
   constexpr std::string_view size_hint = "a Brazilian disc has diameter_mm";
   constexpr std::string_view gauge_hint = "remove it: a disc has no gauges and no modulus";
   constexpr std::string_view staged_hint = "remove it, or set /experiment/loading/mode to \"staged\"";
+  constexpr std::string_view stage_hint = "remove it, or set /experiment/loading/mode to \"continuous\"";
   static const std::vector<ConditionalKey> table{
       {"/experiment/width_mm", kType, is_compression, compression, size_hint},
       {"/experiment/height_mm", kType, is_compression, compression, size_hint},
@@ -43,6 +44,11 @@ const std::vector<ConditionalKey>& conditional_keys() {
       {"/experiment/loading/hold_kinetic_ratio", kMode, has_holds,
        "only in staged loading and in a triaxial test's confinement", staged_hint},
       {"/experiment/loading/hold_time_s", kMode, is_staged, staged, staged_hint},
+      {"/experiment/loading/rate_control/enabled", kMode, is_continuous, continuous, stage_hint},
+      {"/experiment/loading/rate_control/kinetic_ratio_bound", kMode, is_continuous, continuous, stage_hint},
+      {"/experiment/loading/rate_control/slowest_rate_factor", kMode, is_continuous, continuous, stage_hint},
+      {"/experiment/loading/rate_control/fastest_rate_factor", kMode, is_continuous, continuous, stage_hint},
+      {"/experiment/loading/elastic_start_fraction", kMode, is_continuous, continuous, stage_hint},
       {"/particles/grain_size_mm", kKind, is_voronoi, "only for voronoi grains",
        "remove it, or set /particles/kind to \"voronoi\""},
       {"/measurement/axial_gauge_mm", kType, is_compression, compression, gauge_hint},

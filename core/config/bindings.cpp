@@ -63,6 +63,7 @@ const std::vector<Binding>& bindings() {
   using Experiment = ExperimentConfig;
   using Platens = PlatenConfig;
   using Loading = LoadingConfig;
+  using RateControl = RateControlConfig;
   using Stop = StopConfig;
   using Material = MaterialConfig;
   using Particles = ParticleConfig;
@@ -71,6 +72,7 @@ const std::vector<Binding>& bindings() {
   using General = GeneralContactConfig;
   using Surface = SurfaceConfig;
   using Integration = IntegrationConfig;
+  using MassScaling = MassScalingConfig;
   using Measurement = MeasurementConfig;
   using Output = OutputConfig;
   static const std::vector<Binding> table{
@@ -98,6 +100,16 @@ const std::vector<Binding>& bindings() {
       bind<&Run::experiment, &Experiment::loading, &Loading::hold_time_s>("/experiment/loading/hold_time_s"),
       bind<&Run::experiment, &Experiment::loading, &Loading::confinement_time_s>(
           "/experiment/loading/confinement_time_s"),
+      bind<&Run::experiment, &Experiment::loading, &Loading::rate_control, &RateControl::enabled>(
+          "/experiment/loading/rate_control/enabled"),
+      bind<&Run::experiment, &Experiment::loading, &Loading::rate_control, &RateControl::kinetic_ratio_bound>(
+          "/experiment/loading/rate_control/kinetic_ratio_bound"),
+      bind<&Run::experiment, &Experiment::loading, &Loading::rate_control, &RateControl::slowest_rate_factor>(
+          "/experiment/loading/rate_control/slowest_rate_factor"),
+      bind<&Run::experiment, &Experiment::loading, &Loading::rate_control, &RateControl::fastest_rate_factor>(
+          "/experiment/loading/rate_control/fastest_rate_factor"),
+      bind<&Run::experiment, &Experiment::loading, &Loading::elastic_start_fraction>(
+          "/experiment/loading/elastic_start_fraction"),
       bind<&Run::experiment, &Experiment::stop, &Stop::axial_strain>("/experiment/stop/axial_strain"),
       bind<&Run::experiment, &Experiment::stop, &Stop::fraction_of_peak>("/experiment/stop/fraction_of_peak"),
       bind<&Run::experiment, &Experiment::stop, &Stop::time_s>("/experiment/stop/time_s"),
@@ -143,6 +155,11 @@ const std::vector<Binding>& bindings() {
       bind<&Run::integration, &Integration::local_damping>("/integration/local_damping"),
       bind<&Run::integration, &Integration::mass_scaling_time_step_s>("/integration/mass_scaling_time_step_s"),
       bind<&Run::integration, &Integration::guard_interval_steps>("/integration/guard_interval_steps"),
+      bind<&Run::integration, &Integration::mass_scaling, &MassScaling::uniform>("/integration/mass_scaling/uniform"),
+      bind<&Run::integration, &Integration::mass_scaling, &MassScaling::time_step_factor>(
+          "/integration/mass_scaling/time_step_factor"),
+      bind<&Run::integration, &Integration::mass_scaling, &MassScaling::added_mass_bound>(
+          "/integration/mass_scaling/added_mass_bound"),
       bind<&Run::measurement, &Measurement::samples>("/measurement/samples"),
       bind<&Run::measurement, &Measurement::axial_gauge_mm>("/measurement/axial_gauge_mm"),
       bind<&Run::measurement, &Measurement::lateral_gauge_mm>("/measurement/lateral_gauge_mm"),

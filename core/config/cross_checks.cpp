@@ -28,6 +28,9 @@ constexpr std::string_view kKind = "/particles/kind";
 constexpr std::string_view kFractureEnergy = "/contacts/fracture_energy_n_per_mm";
 constexpr std::string_view kTimeStep = "/integration/time_step_s";
 constexpr std::string_view kMassScaling = "/integration/mass_scaling_time_step_s";
+constexpr std::string_view kUniformMass = "/integration/mass_scaling/uniform";
+constexpr std::string_view kElasticStart = "/experiment/loading/elastic_start_fraction";
+constexpr std::string_view kPlatenFriction = "/experiment/platens/friction_coefficient";
 constexpr std::string_view kWindow = "/measurement/modulus_window";
 constexpr std::string_view kAxialGauge = "/measurement/axial_gauge_mm";
 constexpr std::string_view kLateralGauge = "/measurement/lateral_gauge_mm";
@@ -137,6 +140,22 @@ Result time_step_unstable(const RunConfig& config) {
                   "remove it (then safety_factor times the critical step is taken), or set mass_scaling_time_step_s");
 }
 
+Result mass_scaled_twice(const RunConfig& config) {
+  const IntegrationConfig& c = config.integration;
+  if (!c.mass_scaling.uniform || c.mass_scaling_time_step_s.value_or(0.0) == 0.0) return {};
+  return fault_at(config, kMassScaling, "masses cannot be scaled to a given step and to a uniform one at once",
+                  "unset while /integration/mass_scaling/uniform is true",
+                  "remove it, or set /integration/mass_scaling/uniform to false");
+}
+
+Result elastic_start_with_friction(const RunConfig& config) {
+  const ExperimentConfig& e = config.experiment;
+  if (e.loading.elastic_start_fraction == 0.0 || e.platens.friction_coefficient == 0.0) return {};
+  return fault_at(config, kElasticStart, "an elastic start has frictionless platens only",
+                  "0 while /experiment/platens/friction_coefficient is above 0",
+                  "remove it, or set /experiment/platens/friction_coefficient to 0");
+}
+
 Result window_reversed(const RunConfig& config) {
   const MeasurementConfig& m = config.measurement;
   if (m.modulus_window_low < m.modulus_window_high) return {};
@@ -167,7 +186,10 @@ const std::vector<Check>& checks() {
       {{kKind, kEdge, kGrainSize}, grains_too_small},
       {{kType, kWidth, kHeight, kDiameter, kKind, kGrainSize}, grains_too_large},
       {{kType, kPlane, "/material", "/contacts"}, fracture_energy_too_small},
-      {{kType, kPlane, "/material", "/contacts", "/particles", kTimeStep, kMassScaling}, time_step_unstable},
+      {{kType, kPlane, "/material", "/contacts", "/particles", kTimeStep, kMassScaling, "/integration/mass_scaling"},
+       time_step_unstable},
+      {{kUniformMass, kMassScaling}, mass_scaled_twice},
+      {{kElasticStart, kPlatenFriction}, elastic_start_with_friction},
       {{kWindow}, window_reversed},
       {{kType, kHeight, kAxialGauge}, axial_gauge_too_long},
       {{kType, kHeight, kLateralGauge}, lateral_gauge_too_long},

@@ -71,7 +71,9 @@ double estimated_critical_step(const RunConfig& config) {
   const double contact = std::max(estimated_tensile_stiffness(config), estimated_shear_stiffness(config));
   const double stiffness = 2.0 * contact * edge + triangle_stiffness(config);  // Eq. (K2), per mm of thickness
   const double step = 2.0 / std::sqrt(stiffness / node_mass);                  // Eq. (K3)
-  return std::max(step, config.integration.mass_scaling_time_step_s.value_or(0.0));
+  const MassScalingConfig& scaling = config.integration.mass_scaling;
+  const double scaled = (scaling.uniform ? scaling.time_step_factor : 1.0) * step;
+  return std::max(scaled, config.integration.mass_scaling_time_step_s.value_or(0.0));
 }
 
 double estimated_triangles(const RunConfig& config) {

@@ -22,6 +22,15 @@ struct PlatenConfig {
   bool operator==(const PlatenConfig&) const = default;
 };
 
+/// Continuous loading at a rate that follows the kinetic energy; core/experiment README, Eqs E4 and E5.
+struct RateControlConfig {
+  bool enabled = false;
+  double kinetic_ratio_bound = 0.02;  ///< Kinetic over strain energy that the rate keeps below.
+  double slowest_rate_factor = 0.25;  ///< Times the closing rate.
+  double fastest_rate_factor = 8.0;   ///< Times the closing rate.
+  bool operator==(const RateControlConfig&) const = default;
+};
+
 struct LoadingConfig {
   LoadingMode mode = LoadingMode::continuous;
   double closing_rate_mm_per_s = 100.0;  ///< Of the two platens together.
@@ -31,6 +40,8 @@ struct LoadingConfig {
   double hold_kinetic_ratio = 1e-4;     ///< A stage, or the confinement, is over when kinetic / strain energy is below.
   double hold_time_s = 2e-3;            ///< Staged: a stage is over after this time at the latest.
   double confinement_time_s = 1.5e-3;   ///< Triaxial: duration of the hydrostatic stage's ramp.
+  RateControlConfig rate_control;
+  double elastic_start_fraction = 0.0;  ///< Share of first softening that a static solution reaches; 0: none.
   bool operator==(const LoadingConfig&) const = default;
 };
 
@@ -113,12 +124,21 @@ struct ContactConfig {
   bool operator==(const ContactConfig&) const = default;
 };
 
+/// Masses raised until every node has the same critical time step.
+struct MassScalingConfig {
+  bool uniform = false;
+  double time_step_factor = 1.5;  ///< Critical time step over that of the unscaled specimen.
+  double added_mass_bound = 2.0;  ///< Added mass over the specimen's above which a run warns.
+  bool operator==(const MassScalingConfig&) const = default;
+};
+
 struct IntegrationConfig {
   double safety_factor = 0.7;         ///< Time step over the critical step.
   std::optional<double> time_step_s;  ///< Unset: safety_factor times the critical step.
   double local_damping = 0.7;
   std::optional<double> mass_scaling_time_step_s;  ///< Nodes whose own critical step is smaller are made heavier.
   int guard_interval_steps = 100;                  ///< Steps between looks for a state gone wrong.
+  MassScalingConfig mass_scaling;
   bool operator==(const IntegrationConfig&) const = default;
 };
 

@@ -24,14 +24,24 @@ void add_linear_velocity_field(Model& model, double rate) {
   model.system.platens.last_velocity = model.system.platens.velocity;
 }
 
-void start_moving(Model& model, LoadingState& state) {
+void set_moving(Model& model, LoadingState& state) {
   state.phase = LoadingPhase::moving;
   state.phase_start_s = model.system.time;
-  state.zero_distance_mm = model.system.platens.y[1] - model.system.platens.y[0];
-  state.zero_gauges = read_gauges(model.gauges, model.system.particles);
   const bool compression = model.config.experiment.type != ExperimentType::brazilian;
   if (compression && model.config.experiment.loading.mode == LoadingMode::continuous) {
     add_linear_velocity_field(model, model.config.experiment.loading.closing_rate_mm_per_s);
+  }
+}
+
+/// From the zero of strains on: by static equilibria first where the configuration says so.
+void start_moving(Model& model, LoadingState& state) {
+  state.zero_distance_mm = model.system.platens.y[1] - model.system.platens.y[0];
+  state.zero_gauges = read_gauges(model.gauges, model.system.particles);
+  state.rate_control.rate = model.config.experiment.loading.closing_rate_mm_per_s;
+  if (model.config.experiment.loading.elastic_start_fraction > 0.0) {
+    state.phase = LoadingPhase::elastic_start;
+  } else {
+    set_moving(model, state);
   }
 }
 
@@ -65,10 +75,11 @@ void move(Model& model, LoadingState& state) {
     return;
   }
   const double elapsed = model.system.time - state.phase_start_s;
-  const double ramp = loading.mode == LoadingMode::continuous && loading.ramp_time_s > 0.0
-                          ? std::min(1.0, elapsed / loading.ramp_time_s)
-                          : 1.0;
-  set_closing_rate(model.system.platens, ramp * loading.closing_rate_mm_per_s);
+  const bool from_rest = loading.mode == LoadingMode::continuous && state.elastic_start.increments == 0;
+  const double ramp = from_rest && loading.ramp_time_s > 0.0 ? std::min(1.0, elapsed / loading.ramp_time_s) : 1.0;
+  const double rate =
+      loading.rate_control.enabled ? advance_rate(model, state.rate_control) : loading.closing_rate_mm_per_s;
+  set_closing_rate(model.system.platens, ramp * rate);
 }
 
 void hold(Model& model, LoadingState& state, double kinetic_ratio) {
@@ -98,6 +109,15 @@ LoadingState start_loading(Model& model) {
   return state;
 }
 
+void start_elastically(Model& model, LoadingState& state, const ParallelLoops& loops,
+                       const std::function<bool()>& on_equilibrium) {
+  state.elastic_start = solve_elastic_start(model, loops, on_equilibrium);
+  state.elastic_start_closure_mm = closure(model, state);
+  if (state.elastic_start.increments == 0) return set_moving(model, state);
+  state.phase = LoadingPhase::moving;
+  state.phase_start_s = model.system.time;
+}
+
 void drive(Model& model, LoadingState& state, double kinetic_ratio) {
   switch (state.phase) {
     case LoadingPhase::confining:
@@ -106,6 +126,8 @@ void drive(Model& model, LoadingState& state, double kinetic_ratio) {
       return move(model, state);
     case LoadingPhase::holding:
       return hold(model, state, kinetic_ratio);
+    case LoadingPhase::elastic_start:
+      return;
   }
 }
 

@@ -71,8 +71,13 @@ void choose_time_step(Model& model, const ParallelLoops& loops) {
     model.added_mass_fraction = scale_masses(model.system, *c.mass_scaling_time_step_s, c.safety_factor);
   }
   model.critical_time_step = critical_time_step(model.system, loops);
-  const double automatic =
-      model.added_mass_fraction > 0.0 ? *c.mass_scaling_time_step_s : c.safety_factor * model.critical_time_step;
+  if (c.mass_scaling.uniform) {
+    const double scaled = c.mass_scaling.time_step_factor * model.critical_time_step;
+    model.added_mass_fraction = scale_masses_uniformly(model.system, scaled, loops);
+    model.critical_time_step = critical_time_step(model.system, loops);
+  }
+  const bool given = c.mass_scaling_time_step_s && model.added_mass_fraction > 0.0;
+  const double automatic = given ? *c.mass_scaling_time_step_s : c.safety_factor * model.critical_time_step;
   model.system.time_step = c.time_step_s.value_or(automatic);
   if (model.system.time_step > model.critical_time_step) {
     throw Error(ErrorKind::config, {{"/integration/time_step_s", "is above the stable time step of this mesh",

@@ -64,10 +64,18 @@ StopReason stop_reason(const Model& model, RunState& state) {
   return StopReason::running;
 }
 
+bool rate_controlled(const Model& model) { return model.config.experiment.loading.rate_control.enabled; }
+
+/// Rows stand at equal closures, which a constant rate passes in equal numbers of steps.
 bool sample_due(const Model& model, const RunState& state, std::int64_t interval) {
   if (state.loading.phase == LoadingPhase::confining) return false;
+  if (state.samples.empty()) return true;
   if (staged(model)) return state.loading.stages > state.stages_sampled;
-  return state.steps_in_sample >= interval;
+  if (!rate_controlled(model)) return state.steps_in_sample >= interval;
+  const ExperimentConfig& e = model.config.experiment;
+  const double spacing = e.stop.axial_strain * specimen_height(e) / model.config.measurement.samples;
+  const double last = state.samples.back().closure_mm;
+  return std::floor(closure(model, state.loading) / spacing) > std::floor(last / spacing);
 }
 
 void take_sample(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {
@@ -90,6 +98,43 @@ void take_frame(const Model& model, RunState& state, const RunObserver& observer
   ++state.frames;
   const double interval = model.config.experiment.stop.axial_strain / std::max(1, model.config.output.frames - 1);
   while (state.next_frame_strain <= state.samples.back().axial_strain) state.next_frame_strain += interval;
+}
+
+void sample_and_frame(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {
+  take_sample(model, state, loops, observer);
+  if (state.samples.back().axial_strain >= state.next_frame_strain || state.stop != StopReason::running) {
+    take_frame(model, state, observer);
+  }
+}
+
+bool rate_due(const Model& model, const RunState& state) {
+  return rate_controlled(model) && state.loading.phase == LoadingPhase::moving &&
+         model.system.step % kRateInterval == 0;
+}
+
+bool kinetic_ratio_due(const Model& model, const RunState& state) {
+  return (staged(model) || state.loading.phase == LoadingPhase::confining) && model.system.step % kEnergyInterval == 0;
+}
+
+/// Whether the loading looks at the energies of this step.
+bool watch_due(const Model& model, const RunState& state) {
+  return rate_due(model, state) || kinetic_ratio_due(model, state);
+}
+
+void watch(Model& model, RunState& state, const ParallelLoops& loops) {
+  if (kinetic_ratio_due(model, state)) state.kinetic_ratio = kinetic_ratio(energy_balance(model.system, loops));
+  if (rate_due(model, state)) choose_growth(model, state.loading.rate_control, loops);
+}
+
+/// The equilibria of an elastic start, each a row of its own.
+void start_elastically(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {
+  start_elastically(model, state.loading, loops, [&] {
+    state.reaction_sum = {};
+    state.reaction_sum.reaction = model.system.sums.reaction;
+    state.steps_in_sample = 1;
+    sample_and_frame(model, state, loops, observer);
+    return state.stop == StopReason::running;
+  });
 }
 
 /// Interruption, guards and checkpoint, in an order in which only a checked state is written.
@@ -120,12 +165,15 @@ void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, c
   System& system = model.system;
   const std::int64_t interval = steps_per_sample(model);
   while (state.stop == StopReason::running) {
+    if (state.loading.phase == LoadingPhase::elastic_start && !state.samples.empty()) {
+      start_elastically(model, state, loops, observer);
+      continue;
+    }
     compute_forces(system, loops);
     drive(model, state.loading, state.kinetic_ratio);
     const bool confining = state.loading.phase == LoadingPhase::confining;
     if (!confining) ++state.steps_in_sample;  // the first sample shows the end of the hydrostatic stage
-    const bool sampled = sample_due(model, state, interval) || (state.samples.empty() && !confining);
-    const bool watched = (staged(model) || confining) && system.step % kEnergyInterval == 0;
+    const bool sampled = sample_due(model, state, interval), watched = watch_due(model, state);
     if (sampled || watched) {
       update_velocities(system, loops);
     } else {
@@ -134,13 +182,8 @@ void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, c
     if (!confining) {
       for (int i = 0; i < 2; ++i) state.reaction_sum.reaction[i] += system.sums.reaction[i];
     }
-    if (watched) state.kinetic_ratio = kinetic_ratio(energy_balance(system, loops));
-    if (sampled) {
-      take_sample(model, state, loops, observer);
-      if (state.samples.back().axial_strain >= state.next_frame_strain || state.stop != StopReason::running) {
-        take_frame(model, state, observer);
-      }
-    }
+    if (watched) watch(model, state, loops);
+    if (sampled) sample_and_frame(model, state, loops, observer);
     if (sampled || watched) update_positions(system, loops);
     end_step(model, state, loops, observer);
   }

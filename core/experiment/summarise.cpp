@@ -36,6 +36,12 @@ Json experiment_entries(const Model& model, const RunState& state) {
   j["time_step_s"] = model.system.time_step;
   j["critical_time_step_s"] = model.critical_time_step;
   j["added_mass_fraction"] = model.added_mass_fraction;
+  if (e.loading.elastic_start_fraction > 0.0) {
+    const double rate = e.loading.closing_rate_mm_per_s;
+    j["elastic_start_closure_mm"] = state.loading.elastic_start_closure_mm;
+    j["elastic_start_steps_saved"] =
+        std::llround(state.loading.elastic_start_closure_mm / rate / model.system.time_step);
+  }
   j["stopped"] = describe(state.stop);
   return j;
 }
@@ -129,9 +135,10 @@ std::vector<std::string> find_warnings(const Model& model, const RunState& state
         "kinetic energy reached {:.3g} of the stored energy before the peak (limit {:.3g}): load more slowly", ratio,
         kKineticLimit));
   }
-  if (model.added_mass_fraction > 0.0) {
-    warnings.push_back(
-        fmt::format("mass scaling added {:.3g} % to the specimen's mass", 100.0 * model.added_mass_fraction));
+  const double mass_bound = model.config.integration.mass_scaling.added_mass_bound;
+  if (model.added_mass_fraction > mass_bound) {
+    warnings.push_back(fmt::format("mass scaling added {:.3g} % to the specimen's mass (limit {:.3g} %)",
+                                   100.0 * model.added_mass_fraction, 100.0 * mass_bound));
   }
   return warnings;
 }

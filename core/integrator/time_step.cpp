@@ -5,42 +5,10 @@
 
 #include "core/base/error.hpp"
 #include "core/base/random.hpp"
+#include "core/integrator/linear_elements.hpp"
 
 namespace asperity {
 namespace {
-
-/// Linear elastic forces of a triangle for small corner displacements u.
-std::array<Vec2, 3> linear_triangle(const TriangleShape& shape, const std::array<Vec2, 3>& u,
-                                    const ElasticConstants& c) {
-  double exx = 0, eyy = 0, gxy = 0;
-  for (int i = 0; i < 3; ++i) {
-    exx += u[i].x * shape.gradient[i].x;
-    eyy += u[i].y * shape.gradient[i].y;
-    gxy += u[i].x * shape.gradient[i].y + u[i].y * shape.gradient[i].x;
-  }
-  const double sxx = c.c11 * exx + c.c12 * eyy, syy = c.c12 * exx + c.c11 * eyy, sxy = c.shear * gxy;
-  std::array<Vec2, 3> force;
-  for (int i = 0; i < 3; ++i) {
-    const Vec2 g = shape.gradient[i];
-    force[i] = shape.area * Vec2{sxx * g.x + sxy * g.y, sxy * g.x + syy * g.y};
-  }
-  return force;
-}
-
-/// Linear forces of a contact edge for small displacements u of left1, left2, right1, right2.
-std::array<Vec2, 4> linear_contact(const ContactEdge& edge, const ContactFrame& frame, const std::array<Vec2, 4>& u,
-                                   const LawParameters& law) {
-  const Vec2 gap[2] = {u[2] - u[0], u[3] - u[1]};
-  constexpr double weight[2][2] = {{kNearGauss, kFarGauss}, {kFarGauss, kNearGauss}};
-  Vec2 end[2] = {};
-  for (int q = 0; q < 2; ++q) {
-    const Vec2 d = weight[q][0] * gap[0] + weight[q][1] * gap[1];
-    const Vec2 traction =
-        (law.k_t * dot(d, frame.normal)) * frame.normal + (law.k_s * dot(d, frame.tangent)) * frame.tangent;
-    for (int i = 0; i < 2; ++i) end[i] += (0.5 * edge.length * weight[q][i]) * traction;
-  }
-  return {Vec2{} - end[0], Vec2{} - end[1], end[0], end[1]};
-}
 
 /// The bonded law, or what a broken contact becomes where that is stiffer.
 LawParameters stiffest_law(const System& system) {
@@ -169,6 +137,21 @@ double critical_time_step(const System& system, const ParallelLoops& loops) {
     }
   }
   throw Error(ErrorKind::numerical, "the power iteration for the stable time step did not converge in 2000 iterations");
+}
+
+double scale_masses_uniformly(System& system, double critical_step, const ParallelLoops& loops) {
+  constexpr double kTolerance = 1e-3;
+  const std::vector<double> unscaled = system.particles.mass;
+  double own_step = critical_step;
+  double added = 0.0;
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    system.particles.mass = unscaled;
+    added = scale_masses(system, own_step, 1.0);
+    const double found = critical_time_step(system, loops);
+    if (std::abs(found - critical_step) < kTolerance * critical_step) return added;
+    own_step *= critical_step / found;
+  }
+  throw Error(ErrorKind::numerical, "mass scaling did not reach the critical time step asked for in 20 iterations");
 }
 
 double scale_masses(System& system, double time_step, double safety_factor) {

@@ -49,6 +49,39 @@ TEST_CASE("uniaxial compression has no confining pressure, diameter or ramp") {
   CHECK(only_fault(kUniaxial, "/experiment/loading/confinement_time_s=0.001").allowed == "only in a triaxial test");
 }
 
+TEST_CASE("stages have no rate control and no elastic start") {
+  for (const char* item :
+       {"/experiment/loading/rate_control/enabled=true", "/experiment/loading/rate_control/fastest_rate_factor=8",
+        "/experiment/loading/elastic_start_fraction=0.5"}) {
+    INFO(item);
+    const Refusal r = refusal(kDisc, {"/experiment/loading/mode=staged", item});
+    REQUIRE(r.faults.size() == 1);
+    CHECK(r.faults.front().where + "=" == std::string(item).substr(0, r.faults.front().where.size() + 1));
+    CHECK(r.faults.front().allowed == "only in continuous loading");
+    CHECK(contains(r.faults.front().hint, "continuous"));
+    CHECK(refusal(kDisc, {item}).faults.empty());
+  }
+}
+
+TEST_CASE("an elastic start has frictionless platens") {
+  const std::string start = "/experiment/loading/elastic_start_fraction=0.5";
+  const Refusal r = refusal(kUniaxial, {start, "/experiment/platens/friction_coefficient=0.2"});
+  REQUIRE(r.faults.size() == 1);
+  CHECK(r.faults.front().where == "/experiment/loading/elastic_start_fraction");
+  CHECK(r.faults.front().value == "0.5");
+  CHECK(refusal(kUniaxial, {start}).faults.empty());
+  CHECK(only_fault(kUniaxial, "/experiment/loading/elastic_start_fraction=0.95").where ==
+        "/experiment/loading/elastic_start_fraction");
+}
+
+TEST_CASE("masses are scaled to a given step or to a uniform one, not both") {
+  const Refusal r =
+      refusal(kUniaxial, {"/integration/mass_scaling/uniform=true", "/integration/mass_scaling_time_step_s=5e-7"});
+  REQUIRE(r.faults.size() == 1);
+  CHECK(r.faults.front().where == "/integration/mass_scaling_time_step_s");
+  CHECK(refusal(kUniaxial, {"/integration/mass_scaling/uniform=true"}).faults.empty());
+}
+
 TEST_CASE("a triaxial test needs a confining pressure") {
   const Fault fault = only_fault(kTriaxial, "/experiment/confining_pressure_mpa=0");
   CHECK(fault.where == "/experiment/confining_pressure_mpa");

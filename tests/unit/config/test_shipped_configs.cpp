@@ -25,7 +25,8 @@ std::vector<fs::path> json_files(const fs::path& folder) {
 
 std::vector<fs::path> shipped() {
   std::vector<fs::path> files = json_files(kConfigs);
-  for (const fs::path& file : json_files(kConfigs / "paper")) files.push_back(file);
+  for (const char* folder : {"paper", "acceleration"})
+    for (const fs::path& file : json_files(kConfigs / folder)) files.push_back(file);
   return files;
 }
 

@@ -184,6 +184,25 @@ TEST_CASE("a run goes on from a checkpoint after any step to the same bits") {
   }
 }
 
+TEST_CASE("a controlled test with an elastic start and scaled masses goes on from a checkpoint to the same bits") {
+  RunConfig config = small_config(ExperimentType::triaxial);
+  config.experiment.confining_pressure_mpa = 0.5;
+  config.experiment.loading.closing_rate_mm_per_s = 200;
+  config.experiment.loading.confinement_time_s = 3e-4;
+  config.experiment.loading.rate_control.enabled = true;
+  config.experiment.loading.elastic_start_fraction = 0.2;
+  config.integration.mass_scaling.uniform = true;
+  config.experiment.stop.axial_strain = 0.012;
+  check_round_trip(config, 200, "before_start.bin");
+  Run run(config);
+  int steps = 0;
+  RunObserver observer;
+  observer.interrupted = [&] { return run.state.loading.elastic_start.increments > 0 && ++steps == 200; };
+  run_experiment(run.model, run.state, ParallelLoops(), observer);
+  REQUIRE(run.state.stop == StopReason::interrupted);
+  check_round_trip(config, static_cast<int>(run.model.system.step), "after_start.bin");
+}
+
 TEST_CASE("a torn or changed checkpoint is refused and changes nothing") {
   const fs::path file = scratch_file("torn.bin");
   broken_off(short_disc(), 500, file);

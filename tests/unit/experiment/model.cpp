@@ -48,6 +48,16 @@ TEST_CASE("mass scaling reaches the time step asked for and says how much mass i
   CHECK(model.critical_time_step > step);
 }
 
+TEST_CASE("uniform mass scaling lengthens the time step by its factor") {
+  RunConfig config = small_config(ExperimentType::uniaxial);
+  const double step = small_model(config).system.time_step;
+  config.integration.mass_scaling.uniform = true;
+  config.integration.mass_scaling.time_step_factor = 1.3;
+  const Model model = small_model(config);
+  CHECK(model.system.time_step == Approx(1.3 * step).epsilon(2e-3));
+  CHECK(model.added_mass_fraction > 0.0);
+}
+
 TEST_CASE("platens touch the specimen's ends, with the contacts' stiffness spread over the ends' length") {
   const Model model = small_model(small_config(ExperimentType::uniaxial));
   const System& system = model.system;

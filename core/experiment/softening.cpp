@@ -1,0 +1,38 @@
+#include "core/experiment/softening.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace asperity {
+
+NormalisedSeparation normalised_separation(const PointState& point, const BondedContacts& contacts) {
+  const LawParameters& law = contacts.law;
+  const double friction = contacts.reading == LawReading::literal ? law.coulomb : law.tan_phi;
+  const double pressure = std::max(0.0, -law.k_t * point.normal);
+  const double critical_shear = std::numbers::e * (law.c_c + pressure * friction) / law.k_s;
+  return {std::max(0.0, point.normal) * law.inverse_delta_ct, std::abs(point.shear) / critical_shear};
+}
+
+double largest_separation(const BondedContacts& contacts) {
+  double size = 0.0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    for (const PointState& point : contacts.memory.load(c)) {
+      size = std::max(size, normalised_separation(point, contacts).size());
+    }
+  }
+  return size;
+}
+
+int count_separated(const BondedContacts& contacts, double separation, const ParallelLoops& loops) {
+  return loops.sum_blocks<int>(contacts.size(), [&](std::size_t begin, std::size_t end) {
+    int count = 0;
+    for (std::size_t c = begin; c < end; ++c) {
+      for (const PointState& point : contacts.memory.load(c)) {
+        if (normalised_separation(point, contacts).size() >= separation) ++count;
+      }
+    }
+    return count;
+  });
+}
+
+}  // namespace asperity
