@@ -144,14 +144,16 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
   write_file_atomically(path, to_json(manifest).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-Manifest read_manifest(const std::filesystem::path& path) {
+Manifest read_manifest(const std::filesystem::path& path) { return parse_manifest(read_file(path), path); }
+
+Manifest parse_manifest(std::string_view text, const std::filesystem::path& name) {
   try {
-    const Json json = Json::parse(read_file(path));
+    const Json json = Json::parse(text);
     if (json.value("program", "") == kProgram) return from_json(json);
   } catch (const nlohmann::json::exception&) {
     // Told below like a manifest of another program.
   }
-  throw Error(ErrorKind::output, {{path.string(), "is no manifest of Asperity", "", "", ""}});
+  throw Error(ErrorKind::output, {{name.string(), "is no manifest of Asperity", "", "", ""}});
 }
 
 std::optional<Manifest> find_manifest(const std::filesystem::path& path) {

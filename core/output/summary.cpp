@@ -17,14 +17,15 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   write_file_atomically(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-Summary read_summary(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+Summary read_summary(const std::filesystem::path& path) { return parse_summary(read_file(path), path); }
+
+Summary parse_summary(std::string_view text, const std::filesystem::path& name) {
   try {
     const Json json = Json::parse(text);
     return {json.at("experiment"), json.at("results"), json.at("energy"),  json.at("cracks"),
             json.at("contacts"),   json.at("cost"),    json.at("warnings")};
   } catch (const nlohmann::json::exception& failure) {
-    throw Error(ErrorKind::output, {{path.string(), std::string("is no summary: ") + failure.what(), "", "", ""}});
+    throw Error(ErrorKind::output, {{name.string(), std::string("is no summary: ") + failure.what(), "", "", ""}});
   }
 }
 
