@@ -1,12 +1,16 @@
 #include "core/output/summary.hpp"
 
+#include <array>
+
 #include "core/base/error.hpp"
 #include "core/output/atomic_file.hpp"
+#include "core/output/shallow_json.hpp"
 
 namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
+constexpr std::array kSections{"experiment", "results", "energy", "cracks", "contacts", "cost"};
 
 }  // namespace
 
@@ -21,7 +25,12 @@ Summary read_summary(const std::filesystem::path& path) { return parse_summary(r
 
 Summary parse_summary(std::string_view text, const std::filesystem::path& name) {
   try {
-    const Json json = Json::parse(text);
+    const Json json = parse_shallow_json(text, name);
+    for (const char* section : kSections) {
+      if (!json.at(section).is_object())
+        throw Error(ErrorKind::output,
+                    {{name.string(), std::string("is no summary: \"") + section + "\" is no object", "", "", ""}});
+    }
     return {json.at("experiment"), json.at("results"), json.at("energy"),  json.at("cracks"),
             json.at("contacts"),   json.at("cost"),    json.at("warnings")};
   } catch (const nlohmann::json::exception& failure) {
