@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -105,12 +106,22 @@ std::vector<Fault> faults_of(const Finding& finding, const json& document, const
   return {value_fault(finding, document, schema)};
 }
 
+/// The schema as valijson wants it. Making it takes far longer than using it, so the last one is kept.
+const valijson::Schema& prepared(const json& schema) {
+  thread_local json source;
+  thread_local std::unique_ptr<valijson::Schema> result;
+  if (!result || source != schema) {
+    result = std::make_unique<valijson::Schema>();
+    valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), *result);
+    source = schema;
+  }
+  return *result;
+}
+
 /// In valijson's order, but wrong types first: they are the cause of what else is wrong with the value.
 std::vector<Finding> findings(const json& document, const json& schema) {
-  valijson::Schema parsed;
-  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), parsed);
   valijson::ValidationResults results;
-  valijson::Validator().validate(parsed, valijson::adapters::NlohmannJsonAdapter(document), &results);
+  valijson::Validator().validate(prepared(schema), valijson::adapters::NlohmannJsonAdapter(document), &results);
   std::vector<Finding> ordered(results.begin(), results.end());
   std::stable_partition(ordered.begin(), ordered.end(),
                         [](const Finding& finding) { return finding.description.starts_with(kWrongType); });
