@@ -99,6 +99,12 @@ std::vector<Fault> unknown_key_faults(const Finding& finding, const json& docume
   return faults;
 }
 
+/// Whether a finding says no more than what is named already: valijson has one for each pair of equal values.
+bool is_repeated(const Finding& finding, const std::set<std::string>& named) {
+  return !finding.description.starts_with(kUnknownKey) && !finding.description.starts_with(kMissingKey) &&
+         named.contains(pointer_of(finding));
+}
+
 std::vector<Fault> faults_of(const Finding& finding, const json& document, const json& schema) {
   if (finding.description.starts_with(kEcho)) return {};
   if (finding.description.starts_with(kUnknownKey)) return unknown_key_faults(finding, document, schema);
@@ -133,9 +139,11 @@ std::vector<Finding> findings(const json& document, const json& schema) {
 std::vector<Fault> schema_faults(const json& document, const json& schema) {
   std::vector<Fault> faults;
   std::set<std::string> named;
-  for (const Finding& finding : findings(document, schema))
+  for (const Finding& finding : findings(document, schema)) {
+    if (is_repeated(finding, named)) continue;
     for (Fault& fault : faults_of(finding, document, schema))
       if (named.insert(fault.where).second) faults.push_back(std::move(fault));
+  }
   return faults;
 }
 
