@@ -17,6 +17,7 @@ fail() {
 
 need_clang() {
   command -v clang++ >/dev/null 2>&1 && ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-* >/dev/null 2>&1 && return
+  # shellcheck disable=SC2016  # the backquotes are for the reader
   fail 'libFuzzer is not installed (some 400 MB). As root, run:
 
   apt-get update && apt-get install -y --no-install-recommends clang libclang-rt-14-dev
@@ -26,7 +27,7 @@ then sh tests/fuzz/run.sh again. Without it, `ctest --preset asan -L fuzz` does 
 
 build() {
   [ -f build/fuzz/build.ninja ] || cmake --preset fuzz >&2
-  # shellcheck disable=SC2086  # a list of words
+  # shellcheck disable=SC2046  # a list of words
   cmake --build --preset fuzz --target $(for h in $harnesses; do printf 'fuzz_%s ' "$h"; done) >&2
 }
 
