@@ -14,6 +14,7 @@ extern "C" void request_interruption(int) { requested = 1; }
 void install_interruption_handlers() {
   std::signal(SIGINT, request_interruption);
   std::signal(SIGTERM, request_interruption);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file too large for the user's limit is an output error like a full disk
 }
 
 bool interruption_requested() { return requested != 0; }

@@ -1,10 +1,14 @@
 #include "app/pictures.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <numeric>
 
+#include "app/interruption.hpp"
 #include "core/base/error.hpp"
+#include "core/base/output_error.hpp"
 #include "core/output/csv.hpp"
+#include "core/output/run_files.hpp"
 #include "render/plots.hpp"
 #include "render/scene.hpp"
 #include "render/series.hpp"
@@ -117,16 +121,47 @@ void plot_cracks(const CsvData& curves, bool compression, const std::filesystem:
   render::write_plot(plot, path);
 }
 
+render::PictureOptions picture_options(const OutputConfig& output) {
+  render::PictureOptions options;
+  options.width = output.width_px;
+  options.height = output.height_px;
+  return options;
+}
+
 }  // namespace
 
 void draw_frames(const RunFolder& folder, const OutputConfig& output, const std::vector<std::string>& fields,
                  const std::string& frames) {
   const int count = static_cast<int>(render::series_times(folder.root()).size());
-  render::PictureOptions options;
-  options.width = output.width_px;
-  options.height = output.height_px;
   render::draw_series(folder.root(), parse_fields(fields.empty() ? output.fields : fields), parse_frames(frames, count),
-                      options);
+                      picture_options(output));
+}
+
+void clear_pictures(const RunFolder& folder) try {
+  if (!std::filesystem::exists(folder.frames())) return;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.frames())) {
+    if (is_run_file(entry.path().lexically_relative(folder.root()))) std::filesystem::remove(entry.path());
+  }
+} catch (const std::filesystem::filesystem_error& failure) {
+  throw output_error(failure.path1(), "cannot be cleared", failure.code().value());
+}
+
+std::vector<int> frames_to_draw(const std::filesystem::path& root, const OutputConfig& output) {
+  const int count = static_cast<int>(render::series_times(root).size());
+  const std::vector<render::Field> fields = parse_fields(output.fields);
+  std::vector<int> missing;
+  for (int frame = 0; frame < count; ++frame) {
+    const bool drawn = std::all_of(fields.begin(), fields.end(), [&](render::Field field) {
+      return std::filesystem::exists(render::picture_path(root, field, frame));
+    });
+    if (!drawn) missing.push_back(frame);
+  }
+  return missing;
+}
+
+bool draw_until_interrupted(const RunFolder& folder, const OutputConfig& output, const std::vector<int>& frames) {
+  return render::draw_series(folder.root(), parse_fields(output.fields), frames, picture_options(output),
+                             interruption_requested);
 }
 
 void draw_plots(const RunFolder& folder, ExperimentType type) {

@@ -12,6 +12,15 @@ namespace asperity::app {
 void draw_frames(const RunFolder& folder, const OutputConfig& output, const std::vector<std::string>& fields,
                  const std::string& frames);
 
+/// Removes the pictures in frames/. Throws Error(output).
+void clear_pictures(const RunFolder& folder);
+
+/// Numbers of the frames of which a picture of the configuration's fields is missing.
+std::vector<int> frames_to_draw(const std::filesystem::path& root, const OutputConfig& output);
+
+/// Draws the configuration's fields of these frames; false where a signal ended it.
+bool draw_until_interrupted(const RunFolder& folder, const OutputConfig& output, const std::vector<int>& frames);
+
 /// Draws plots/ from the run's tables: stress-strain, energy account, cracks; each as PNG and SVG.
 void draw_plots(const RunFolder& folder, ExperimentType type);
 

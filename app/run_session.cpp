@@ -5,20 +5,21 @@
 #include <iostream>
 #include <memory>
 
+#include "app/exit_code.hpp"
 #include "app/interruption.hpp"
 #include "app/libraries.hpp"
 #include "app/pictures.hpp"
 #include "app/progress.hpp"
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/log.hpp"
 #include "core/config/read_config.hpp"
 #include "core/config/write_config.hpp"
-#include "core/experiment/checkpoint.hpp"
+#include "core/experiment/checkpoint_pair.hpp"
 #include "core/experiment/summarise.hpp"
 #include "core/measurement/acoustic.hpp"
 #include "core/measurement/capture.hpp"
 #include "core/measurement/crack_network.hpp"
-#include "core/output/atomic_file.hpp"
 #include "core/output/csv.hpp"
 #include "core/output/manifest.hpp"
 #include "core/output/run_tables.hpp"
@@ -26,8 +27,6 @@
 
 namespace asperity::app {
 namespace {
-
-constexpr double kCheckpointInterval = 60.0;  // s of wall time
 
 class Stopwatch {
  public:
@@ -55,13 +54,9 @@ struct Session {
   RunFolder folder;
   Model model;
   RunState state;
-  std::string hash;
+  CheckpointPair checkpoints;
   Manifest manifest;
   SessionOptions options;
-  double output_s = 0;
-  double compute_s = 0;
-
-  std::filesystem::path checkpoint_file() const { return folder.checkpoint() / "state.bin"; }
 };
 
 struct Tables {
@@ -85,43 +80,58 @@ ProgressState progress_state(const RunProgress& p) {
   return {p.fraction, s.axial_strain, s.stress_mpa, s.cracks_tension + s.cracks_shear, p.step};
 }
 
+/// The tables' rows first: a checkpoint on the disk must find there what it says was written.
+void save(Session& s, const Tables& tables) {
+  const Timed timed(s.state.cost.output_s);
+  s.folder.require_in_place();
+  tables.curves.sync();
+  tables.energy.sync();
+  s.checkpoints.write(s.model, s.state);
+}
+
 void compute(Session& s, const ParallelLoops& loops) {
   Tables tables = open_tables(s);
+  RunCost& cost = s.state.cost;
+  const RunCost before = cost;
+  const Stopwatch watch;
+  const auto save_with_cost = [&] {
+    cost.compute_s = before.compute_s + watch.seconds() - (cost.output_s - before.output_s);
+    save(s, tables);
+  };
   const ProgressStyle style = s.options.quiet ? ProgressStyle::quiet : progress_style_of_stderr();
   Progress progress(experiment_name(s.model.config.experiment.type), style, std::cerr);
   Stopwatch since_checkpoint;
   RunObserver observer;
   observer.on_sample = [&](const Sample& sample) {
-    const Timed timed(s.output_s);
+    const Timed timed(cost.output_s);
     tables.curves.append(curve_row(sample));
     tables.energy.append(energy_row(sample));
   };
   observer.on_frame = [&](const Frame& frame) {
-    const Timed timed(s.output_s);
+    const Timed timed(cost.output_s);
+    s.folder.require_in_place();
     tables.series.write(frame);
   };
   observer.on_progress = [&](const RunProgress& p) { progress.update(progress_state(p)); };
   observer.interrupted = [] { return interruption_requested(); };
-  observer.between_steps = [&] {
-    if (since_checkpoint.seconds() < kCheckpointInterval) return;
-    const Timed timed(s.output_s);
-    write_checkpoint(s.checkpoint_file(), s.model, s.state, s.hash);
+  observer.checkpoint_due = [&] { return since_checkpoint.seconds() >= s.model.config.output.checkpoint_interval_s; };
+  observer.write_checkpoint = [&] {
+    save_with_cost();
     since_checkpoint = Stopwatch();
   };
-  const Stopwatch watch;
-  const double output_before = s.output_s;
   run_experiment(s.model, s.state, loops, observer);
-  s.compute_s += watch.seconds() - (s.output_s - output_before);
+  save_with_cost();
   if (!s.state.samples.empty()) progress.finish(progress_state({1.0, &s.state.samples.back(), s.model.system.step}));
 }
 
 void write_crack_tables(const Session& s) {
   std::vector<Crack> cracks = list_cracks(s.model.system.contacts, s.model.system.particles);
   for (Crack& crack : cracks) crack.energy_n_mm *= s.model.config.experiment.thickness_mm;
-  CsvTable table = CsvTable::create(s.folder.crack_table(), crack_columns());
-  for (const Crack& crack : cracks) table.append(crack_row(crack));
-  CsvTable events = CsvTable::create(s.folder.events(), event_columns());
-  for (const AcousticEvent& event : group_events(cracks, s.model.config)) events.append(event_row(event));
+  std::vector<std::vector<CsvCell>> crack_rows, event_rows;
+  for (const Crack& crack : cracks) crack_rows.push_back(crack_row(crack));
+  for (const AcousticEvent& event : group_events(cracks, s.model.config)) event_rows.push_back(event_row(event));
+  write_csv(s.folder.crack_table(), crack_columns(), crack_rows);
+  write_csv(s.folder.events(), event_columns(), event_rows);
 }
 
 void write_results(Session& s) {
@@ -129,28 +139,28 @@ void write_results(Session& s) {
   summary.cost["steps"] = s.model.system.step;
   summary.cost["threads"] = s.manifest.threads;
   summary.cost["mesh_s"] = s.manifest.timings_s["mesh_s"];
-  summary.cost["compute_s"] = s.compute_s;
-  summary.cost["output_s"] = s.output_s;
+  summary.cost["compute_s"] = s.state.cost.compute_s;
+  summary.cost["output_s"] = s.state.cost.output_s;
   write_summary(s.folder.summary(), summary);
   s.manifest.warnings = summary.warnings;
   for (const std::string& warning : summary.warnings) log_warning(warning);
 }
 
 void end(Session& s, Outcome outcome, const std::string& reason) {
-  s.manifest.timings_s["compute_s"] = s.compute_s;
-  s.manifest.timings_s["output_s"] = s.output_s;
+  s.manifest.timings_s["compute_s"] = s.state.cost.compute_s;
+  s.manifest.timings_s["output_s"] = s.state.cost.output_s;
   end_manifest(s.manifest, outcome, reason);
+  s.folder.require_in_place();
   write_manifest(s.folder.manifest(), s.manifest);
   log_info(reason);
   close_log_file();
 }
 
-int interrupt(Session& s) {
-  write_checkpoint(s.checkpoint_file(), s.model, s.state, s.hash);
+int interrupt(Session& s, const std::string& reason) {
   write_crack_tables(s);
-  end(s, Outcome::interrupted, "interrupted; a checkpoint was written");
+  end(s, Outcome::interrupted, reason);
   std::cerr << "interrupted; go on with: asperity resume " << s.folder.root().string() << "\n";
-  return 130;
+  return kExitInterrupted;
 }
 
 void print_results(const std::filesystem::path& root) {
@@ -159,37 +169,67 @@ void print_results(const std::filesystem::path& root) {
   std::cout << root.string() << std::endl;
 }
 
-/// A run made with --no-render is finished, but has no pictures yet.
-void draw_if_missing(const RunConfig& config, const std::filesystem::path& root, const SessionOptions& options) {
-  if (!options.render || !std::filesystem::is_empty(root / "frames")) return;
-  draw_frames(RunFolder::open(root), config.output, {}, "all");
+/// A run made with --no-render is finished, but has no pictures yet. Returns false where a signal ended the drawing.
+bool draw_if_missing(const RunConfig& config, const std::filesystem::path& root, const SessionOptions& options) {
+  if (!options.render) return true;
+  const std::vector<int> frames = frames_to_draw(root, config.output);
+  return frames.empty() || draw_until_interrupted(RunFolder::open(root), config.output, frames);
+}
+
+/// Plots, and the pictures that are missing. Returns false where a signal ended the drawing.
+bool draw(Session& s) {
+  draw_plots(s.folder, s.model.config.experiment.type);
+  if (!s.options.render) return true;
+  const Timed timed(s.manifest.timings_s["render_s"]);
+  const OutputConfig& output = s.model.config.output;
+  return draw_until_interrupted(s.folder, output, frames_to_draw(s.folder.root(), output));
+}
+
+/// The error with what is left of the run: only states that have passed the guards become checkpoints.
+Error with_last_checkpoint(const Session& s, const Error& error) {
+  const std::string root = s.folder.root().string();
+  const auto saved = s.checkpoints.newest();
+  const std::string last = saved ? "The last checkpoint, of step " + std::to_string(saved->step) + ", is " +
+                                       saved->file.string() + "; `asperity resume " + root +
+                                       "` goes on from it, and fails in the same way unless the code changes"
+                                 : "There is no checkpoint yet: /output/checkpoint_interval_s is the time between them";
+  return {error.kind(),
+          std::string(error.what()) + ". " + last + ". " + root + "/fields.pvd and curves.csv show the way here"};
 }
 
 int carry_out(Session& s, const ParallelLoops& loops) {
-  try {
+  if (s.state.stop == StopReason::running) {
+    clear_pictures(s.folder);  // drawn by hand of a shorter run, they have its ranges
     compute(s, loops);
-    if (s.state.stop == StopReason::interrupted) return interrupt(s);
-    write_crack_tables(s);
-    write_results(s);
-    draw_plots(s.folder, s.model.config.experiment.type);
-    if (s.options.render) {
-      double render_s = 0;
-      {
-        const Timed timed(render_s);
-        draw_frames(s.folder, s.model.config.output, {}, "all");
-      }
-      s.manifest.timings_s["render_s"] = render_s;
-    }
-  } catch (const std::exception& error) {
-    try {
-      end(s, Outcome::failed, error.what());
-    } catch (const std::exception&) {  // e.g. the disk is full: the first failure is the one to tell
-    }
-    throw;
   }
+  if (s.state.stop == StopReason::interrupted) return interrupt(s, "interrupted; a checkpoint was written");
+  write_crack_tables(s);
+  write_results(s);
+  if (!draw(s)) return interrupt(s, "interrupted while pictures were drawn; all is computed");
   end(s, Outcome::finished, describe(s.state.stop));
+  s.checkpoints.remove();
   print_results(s.folder.root());
   return 0;
+}
+
+void end_as_failed(Session& s, const std::string& reason) {
+  try {
+    end(s, Outcome::failed, reason);
+  } catch (const std::exception&) {  // e.g. the disk is full: the first failure is the one to tell
+  }
+}
+
+int carry_out_or_fail(Session& s, const ParallelLoops& loops) {
+  try {
+    return carry_out(s, loops);
+  } catch (const Error& error) {
+    const Error told = error.kind() == ErrorKind::numerical ? with_last_checkpoint(s, error) : error;
+    end_as_failed(s, told.what());
+    throw told;
+  } catch (const std::exception& error) {
+    end_as_failed(s, error.what());
+    throw;
+  }
 }
 
 /// Builds the model, timed, with the threads that were asked for or that suit its size.
@@ -222,27 +262,32 @@ Manifest new_manifest(const Build& b, const std::string& hash) {
   return m;
 }
 
-/// Computing and writing times of an interrupted run that is gone on with.
-struct EarlierCost {
-  double compute_s = 0, output_s = 0;
-};
-
-int run_in(RunFolder folder, Build b, const std::string& hash, const SessionOptions& options,
-           const std::optional<EarlierCost>& earlier) {
-  Manifest manifest = new_manifest(b, hash);
-  Session session{std::move(folder), std::move(b.model), {}, hash, std::move(manifest), options};
-  // A checkpoint that is refused must leave the folder as it was: it is read before anything is written.
-  if (earlier) {
-    read_checkpoint(session.checkpoint_file(), session.model, session.state, hash);
-    session.compute_s = earlier->compute_s;
-    session.output_s = earlier->output_s;
-  } else {
-    session.state = start_run(session.model);
+/// A refused checkpoint does not matter as long as the other is whole.
+void tell_refused(const std::vector<Fault>& refused, const CheckpointPair& checkpoints) {
+  for (const Fault& fault : refused) {
+    log_warning(fault.where + ": " + fault.what + "; goes on from the other checkpoint, " +
+                checkpoints.newest()->file.string());
   }
+}
+
+/// `doubts` is what the log and stderr are to be told once there is a log.
+int run_in(RunFolder folder, Build b, const std::string& hash, const SessionOptions& options,
+           const std::vector<std::string>& doubts) {
+  Manifest manifest = new_manifest(b, hash);
+  CheckpointPair checkpoints(folder.checkpoint(), hash);
+  RunState state = start_run(b.model);
+  // Checkpoints that are refused must leave the folder as it was: they are read before anything is written.
+  const bool resumed = checkpoints.any();
+  std::vector<Fault> refused;
+  if (resumed) refused = checkpoints.read(b.model, state);
+  Session session{std::move(folder),      std::move(b.model),  std::move(state),
+                  std::move(checkpoints), std::move(manifest), options};
   write_manifest(session.folder.manifest(), session.manifest);
   open_log_file(session.folder.log(), session.manifest.libraries);
-  if (earlier) log_info("resumed at step " + std::to_string(session.model.system.step));
-  return carry_out(session, *b.loops);
+  for (const std::string& doubt : doubts) log_warning(doubt);
+  tell_refused(refused, session.checkpoints);
+  if (resumed) log_info("resumed at step " + std::to_string(session.model.system.step));
+  return carry_out_or_fail(session, *b.loops);
 }
 
 }  // namespace
@@ -253,7 +298,7 @@ int run_from_start(const RunConfig& config, const std::string& original, const s
   const RunIdentity identity = identity_of(hash);
   if (decide_folder_use(root, identity, existing).use == FolderUse::reuse) {
     std::cerr << "this run is already there, made by the same code; --force runs it again\n";
-    draw_if_missing(config, root, options);
+    if (!draw_if_missing(config, root, options)) return kExitInterrupted;
     print_results(root);
     return 0;
   }
@@ -261,10 +306,14 @@ int run_from_start(const RunConfig& config, const std::string& original, const s
   RunFolder folder = RunFolder::begin(root, identity, existing);
   write_file_atomically(folder.original_config(), original);
   write_file_atomically(folder.effective_config(), effective_json(config));
-  return run_in(std::move(folder), std::move(b), hash, options, std::nullopt);
+  return run_in(std::move(folder), std::move(b), hash, options, {});
 }
 
 int resume_run(const std::filesystem::path& root, const SessionOptions& options) {
+  if (cut_off_at_start(root)) {
+    return run_from_start(read_run_config(root / "config.effective.json"), read_file(root / "config.original.json"),
+                          root, ExistingRun::keep, options);
+  }
   RunFolder folder = RunFolder::open(root);
   const Manifest old = read_manifest(folder.manifest());
   if (old.outcome == Outcome::finished) {
@@ -279,12 +328,12 @@ int resume_run(const std::filesystem::path& root, const SessionOptions& options)
                 {{folder.effective_config().string(), "is not the configuration this run was started with", hash,
                   old.config_hash, "start a new run with `asperity run`"}});
   }
-  std::optional<EarlierCost> earlier;
-  if (std::filesystem::exists(folder.checkpoint() / "state.bin")) {
-    earlier = EarlierCost{old.timings_s.contains("compute_s") ? old.timings_s.at("compute_s") : 0.0,
-                          old.timings_s.contains("output_s") ? old.timings_s.at("output_s") : 0.0};
+  std::vector<std::string> doubts;
+  if (!same_code(identity_of(hash), old)) {
+    doubts.push_back("this run was begun by other code, revision " + old.build.revision +
+                     ": the result may not be the one of a run in one piece");
   }
-  return run_in(std::move(folder), build(config, options), hash, options, earlier);
+  return run_in(std::move(folder), build(config, options), hash, options, doubts);
 }
 
 }  // namespace asperity::app

@@ -21,7 +21,7 @@
 #include <cmath>
 #include <mutex>
 
-#include "render/file.hpp"
+#include "core/base/atomic_file.hpp"
 #include "render/offscreen/gl_context.hpp"
 #include "render/tessellate.hpp"
 #include "render/text_metrics.hpp"
@@ -177,6 +177,8 @@ std::string paint(const Drawing& drawing) {
 
 }  // namespace
 
-void write_png(const Drawing& drawing, const std::filesystem::path& path) { write_file(path, paint(drawing)); }
+void write_png(const Drawing& drawing, const std::filesystem::path& path) {
+  write_file_atomically(path, paint(drawing));
+}
 
 }  // namespace asperity::render

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/atomic_file.hpp"
 #include "render/paint.hpp"
 #include "render/series.hpp"
 #include "render/side_panel.hpp"
@@ -106,21 +107,28 @@ std::optional<Range> range_over_series(const std::filesystem::path& run_dir, Fie
   return ranges_over_series(run_dir, {field}).values.front();
 }
 
-void draw_series(const std::filesystem::path& run_dir, const std::vector<Field>& fields, const std::vector<int>& frames,
-                 const PictureOptions& options) {
+std::filesystem::path picture_path(const std::filesystem::path& run_dir, Field field, int frame) {
+  return run_dir / "frames" / fmt::format("{}_{:06}.png", field_name(field), frame);
+}
+
+bool draw_series(const std::filesystem::path& run_dir, const std::vector<Field>& fields, const std::vector<int>& frames,
+                 const PictureOptions& options, const std::function<bool()>& interrupted) {
   if (std::find(fields.begin(), fields.end(), Field::contacts) != fields.end()) require_contacts(run_dir);
   const SeriesRanges ranges = ranges_over_series(run_dir, fields);
+  make_folder(run_dir / "frames");
   for (const int index : frames) {
     const Frame frame = read_frame(run_dir, index);
     for (std::size_t f = 0; f < fields.size(); ++f) {
+      if (interrupted && interrupted()) return false;
       PictureOptions picture = options;
       picture.field = fields[f];
       if (!picture.value_range) picture.value_range = range_in_run(frame, fields[f], ranges.values[f]);
       if (!picture.strain_range) picture.strain_range = ranges.strain;
       if (!picture.stress_range) picture.stress_range = ranges.stress;
-      draw_frame(frame, picture, run_dir / "frames" / fmt::format("{}_{:06}.png", field_name(fields[f]), index));
+      draw_frame(frame, picture, picture_path(run_dir, fields[f], index));
     }
   }
+  return true;
 }
 
 }  // namespace asperity::render

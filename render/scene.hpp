@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -40,9 +41,13 @@ SeriesRanges ranges_over_series(const std::filesystem::path& run_dir, const std:
 /// cracks and fragments. Errors: Error(output) as read_frame.
 std::optional<Range> range_over_series(const std::filesystem::path& run_dir, Field field);
 
+/// frames/<field>_<frame>.png of a run.
+std::filesystem::path picture_path(const std::filesystem::path& run_dir, Field field, int frame);
+
 /// Draws frames/<field>_<frame>.png for every field and frame, from the run's VTU files alone, all with the ranges of
-/// the whole series unless `options` fixes them; options.field is not used. Errors: Error(output) with path and reason.
-void draw_series(const std::filesystem::path& run_dir, const std::vector<Field>& fields, const std::vector<int>& frames,
-                 const PictureOptions& options);
+/// the whole series unless `options` fixes them; options.field is not used. `interrupted`, unless empty, is asked
+/// before each picture; returns false where it ended the drawing. Errors: Error(output) with path and reason.
+bool draw_series(const std::filesystem::path& run_dir, const std::vector<Field>& fields, const std::vector<int>& frames,
+                 const PictureOptions& options, const std::function<bool()>& interrupted = {});
 
 }  // namespace asperity::render

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
-#include "render/file.hpp"
 #include "render/vtu.hpp"
 
 namespace asperity::render {
@@ -47,7 +47,7 @@ std::string pvd(const char* series, const std::vector<double>& times) {
 fs::path pvd_path(const fs::path& run_dir, const char* series) { return run_dir / (std::string(series) + ".pvd"); }
 
 void write_pvds(const fs::path& run_dir, const std::vector<double>& times) {
-  for (const Series& series : kSeries) write_file(pvd_path(run_dir, series.name), pvd(series.name, times));
+  for (const Series& series : kSeries) write_file_atomically(pvd_path(run_dir, series.name), pvd(series.name, times));
 }
 
 void remove_file(const fs::path& path) {
@@ -64,7 +64,7 @@ void remove_frames(const fs::path& run_dir, const char* series, std::size_t firs
     const std::string extension = entry.path().extension().string();
     const bool kept =
         extension == ".vtu" && entry.path().filename() < fs::path(relative_file(series, first)).filename();
-    if ((extension == ".vtu" && !kept) || extension == ".part") old.push_back(entry.path());
+    if ((extension == ".vtu" && !kept) || extension == ".tmp") old.push_back(entry.path());
   }
   for (const fs::path& path : old) remove_file(path);
 }
@@ -106,6 +106,7 @@ std::vector<double> kept_times(const fs::path& run_dir, std::size_t count) {
 
 SeriesWriter::SeriesWriter(fs::path run_dir, std::size_t frames_to_keep)
     : run_dir_(std::move(run_dir)), times_(kept_times(run_dir_, frames_to_keep)) {
+  for (const Series& series : kSeries) make_folder(run_dir_ / series.name);
   write_pvds(run_dir_, times_);
   for (const Series& series : kSeries) remove_frames(run_dir_, series.name, times_.size());
 }
@@ -114,7 +115,7 @@ void SeriesWriter::write(const Frame& frame) {
   std::vector<double> times = times_;
   times.push_back(frame.time_s);
   for (const Series& series : kSeries)
-    write_file(run_dir_ / relative_file(series.name, times_.size()), series.bytes(frame));
+    write_file_atomically(run_dir_ / relative_file(series.name, times_.size()), series.bytes(frame));
   write_pvds(run_dir_, times);
   times_ = std::move(times);
 }

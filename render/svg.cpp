@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "render/file.hpp"
+#include "core/base/atomic_file.hpp"
 #include "render/paint.hpp"
 #include "render/tessellate.hpp"
 
@@ -88,7 +88,7 @@ void write_svg(const Drawing& drawing, const std::filesystem::path& path) {
       "font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
       drawing.width, drawing.height);
   for (const Shape& shape : drawing.shapes) svg += std::visit(SvgWriter{}, shape);
-  write_file(path, svg + "</svg>\n");
+  write_file_atomically(path, svg + "</svg>\n");
 }
 
 }  // namespace asperity::render

@@ -10,11 +10,11 @@
 
 #include "app/commands/commands.hpp"
 #include "app/interruption.hpp"
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/config/read_config.hpp"
 #include "core/experiment/run.hpp"
 #include "core/measurement/results.hpp"
-#include "core/output/atomic_file.hpp"
 
 namespace asperity::app {
 namespace {

@@ -1,9 +1,9 @@
 #include "app/commands/commands.hpp"
 #include "app/interruption.hpp"
 #include "app/run_session.hpp"
+#include "core/base/atomic_file.hpp"
 #include "core/base/log.hpp"
 #include "core/config/read_config.hpp"
-#include "core/output/atomic_file.hpp"
 
 namespace asperity::app {
 

@@ -35,6 +35,7 @@ struct Log {
   Log() {
     echo->set_level(spdlog::level::warn);
     logger.flush_on(spdlog::level::info);
+    logger.set_error_handler([](const std::string&) {});  // a full disk is told by the files that matter
   }
 };
 

@@ -142,6 +142,7 @@ const std::vector<Binding>& bindings() {
       bind<&Run::integration, &Integration::time_step_s>("/integration/time_step_s"),
       bind<&Run::integration, &Integration::local_damping>("/integration/local_damping"),
       bind<&Run::integration, &Integration::mass_scaling_time_step_s>("/integration/mass_scaling_time_step_s"),
+      bind<&Run::integration, &Integration::guard_interval_steps>("/integration/guard_interval_steps"),
       bind<&Run::measurement, &Measurement::samples>("/measurement/samples"),
       bind<&Run::measurement, &Measurement::axial_gauge_mm>("/measurement/axial_gauge_mm"),
       bind<&Run::measurement, &Measurement::lateral_gauge_mm>("/measurement/lateral_gauge_mm"),
@@ -151,6 +152,7 @@ const std::vector<Binding>& bindings() {
       bind<&Run::output, &Output::fields>("/output/fields"),
       bind<&Run::output, &Output::width_px>("/output/width_px"),
       bind<&Run::output, &Output::height_px>("/output/height_px"),
+      bind<&Run::output, &Output::checkpoint_interval_s>("/output/checkpoint_interval_s"),
   };
   return table;
 }

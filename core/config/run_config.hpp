@@ -118,6 +118,7 @@ struct IntegrationConfig {
   std::optional<double> time_step_s;  ///< Unset: safety_factor times the critical step.
   double local_damping = 0.7;
   std::optional<double> mass_scaling_time_step_s;  ///< Nodes whose own critical step is smaller are made heavier.
+  int guard_interval_steps = 100;                  ///< Steps between looks for a state gone wrong.
   bool operator==(const IntegrationConfig&) const = default;
 };
 
@@ -137,6 +138,7 @@ struct OutputConfig {
   std::vector<std::string> fields{"cracks", "contacts", "damage", "stress", "fragments"};
   int width_px = 1600;
   int height_px = 1200;
+  double checkpoint_interval_s = 60.0;  ///< Wall time; 0: after every step.
   bool operator==(const OutputConfig&) const = default;
 };
 

@@ -33,6 +33,7 @@ std::string config_hash(const RunConfig& config) {
   RunConfig relevant = config;
   relevant.name.clear();
   relevant.description.clear();
+  relevant.output.checkpoint_interval_s = OutputConfig().checkpoint_interval_s;
   return sha256_hex(effective_json(relevant));
 }
 

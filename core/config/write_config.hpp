@@ -10,8 +10,8 @@ namespace asperity {
 /// bindings(). Optional members that are unset are left out. parse_run_config reads it back to the same RunConfig.
 std::string effective_json(const RunConfig& config);
 
-/// SHA-256 of the effective configuration without its name and description, as 64 hexadecimal digits: equal
-/// configurations give equal results.
+/// SHA-256, as 64 hexadecimal digits, of the effective configuration without what changes no result (name, description,
+/// checkpoint interval): equal hashes give equal results.
 std::string config_hash(const RunConfig& config);
 
 }  // namespace asperity

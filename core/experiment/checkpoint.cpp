@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
 #include "core/experiment/checkpoint_checks.hpp"
-#include "core/output/atomic_file.hpp"
 
 namespace asperity {
 namespace {
@@ -127,7 +127,7 @@ StopReason stop_to_keep(const RunState& state) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
-  throw Error(ErrorKind::output, {{file.string(), why, "", "", "start the run again with `asperity run --force`"}});
+  throw Error(ErrorKind::output, {{file.string(), why, "", "", "start the run again with `asperity run`"}});
 }
 
 /// The state's bytes, once version, checksum and configuration are found right.

@@ -71,11 +71,9 @@ bool sample_due(const Model& model, const RunState& state, std::int64_t interval
 }
 
 void take_sample(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {
-  check_state(model.system);
-  check_overlaps(model.system);
+  check_all(model.system, loops);
   state.samples.push_back(measure(model, state, loops));
   const Sample& sample = state.samples.back();
-  check_energy(model.system, sample.energy);
   state.kinetic_ratio = kinetic_ratio(sample.energy);
   state.reaction_sum = {};
   state.steps_in_sample = 0;
@@ -92,6 +90,16 @@ void take_frame(const Model& model, RunState& state, const RunObserver& observer
   ++state.frames;
   const double interval = model.config.experiment.stop.axial_strain / std::max(1, model.config.output.frames - 1);
   while (state.next_frame_strain <= state.samples.back().axial_strain) state.next_frame_strain += interval;
+}
+
+/// Interruption, guards and checkpoint, in an order in which only a checked state is written.
+void end_step(const Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {
+  if (state.stop == StopReason::running && observer.interrupted && observer.interrupted())
+    state.stop = StopReason::interrupted;
+  const bool saving = observer.checkpoint_due && observer.checkpoint_due();
+  const bool guarded = model.system.step % model.config.integration.guard_interval_steps == 0;
+  if (saving || guarded || state.stop != StopReason::running) check_all(model.system, loops);
+  if (saving) observer.write_checkpoint();
 }
 
 }  // namespace
@@ -131,9 +139,7 @@ void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, c
       }
     }
     update_positions(system, loops);
-    if (state.steps_in_sample == 0 && observer.between_steps) observer.between_steps();
-    if (state.stop == StopReason::running && observer.interrupted && observer.interrupted())
-      state.stop = StopReason::interrupted;
+    end_step(model, state, loops, observer);
   }
 }
 

@@ -23,7 +23,8 @@ struct RunObserver {
   std::function<void(const Frame&)> on_frame;
   std::function<void(const RunProgress&)> on_progress;
   std::function<bool()> interrupted;
-  std::function<void()> between_steps;  ///< After every sample's step, when the state may be written to a checkpoint.
+  std::function<bool()> checkpoint_due;    ///< Asked after every step.
+  std::function<void()> write_checkpoint;  ///< Called between two steps, with a state that has passed the guards.
 };
 
 /// Why the loop ended.
@@ -53,7 +54,8 @@ struct RunState {
 /// The state of a test that has not begun.
 RunState start_run(Model& model);
 
-/// Runs a test until its stop rule or an interruption. Throws a numerical error from the guards.
+/// Runs a test until its stop rule or an interruption. Throws a numerical error from the guards, which look at
+/// the state every `integration.guard_interval_steps`, at samples, before checkpoints and at the end.
 void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer);
 
 /// Steps between samples so that about `measurement.samples` rows reach the stop strain.

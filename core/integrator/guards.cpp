@@ -24,6 +24,22 @@ constexpr const char* kStepHint =
     "or "
     "experiment.loading.closing_rate_mm_per_s";
 
+constexpr double kNoEnergy = 1e-9;  // N mm per mm of thickness
+
+/// The first node whose velocity is not finite, else the one with most kinetic energy.
+std::size_t most_energetic_node(const Particles& p) {
+  std::size_t most = 0;
+  double largest = -1.0;
+  for (std::size_t node = 0; node < p.node_count(); ++node) {
+    const double energy = 0.5 * p.mass[node] * dot(p.velocity[node], p.velocity[node]);
+    if (!std::isfinite(energy)) return node;
+    if (energy <= largest) continue;
+    largest = energy;
+    most = node;
+  }
+  return most;
+}
+
 }  // namespace
 
 void check_state(const System& system) {
@@ -56,9 +72,22 @@ void check_overlaps(const System& system) {
 
 void check_energy(const System& system, const EnergyBalance& energy) {
   const double given = energy.external_work + std::max(0.0, energy.created_by_law);
-  if (energy.kinetic > given && energy.kinetic > 1e-9) {
-    stop(system, system.particles.reference[0], "kinetic energy exceeds the work done on the model", kStepHint);
+  if (energy.kinetic <= given || energy.kinetic <= kNoEnergy) return;
+  const Vec2 place = system.particles.reference[most_energetic_node(system.particles)];
+  if (!std::isfinite(energy.kinetic)) stop(system, place, "a velocity is not finite", kStepHint);
+  stop(system, place, "kinetic energy exceeds the work done on the model", kStepHint);
+}
+
+void check_all(const System& system, const ParallelLoops& loops) {
+  check_state(system);
+  check_overlaps(system);
+  EnergyBalance energy;
+  energy.external_work = system.external_work + system.initial_kinetic;
+  energy.kinetic = system.sums.kinetic;
+  if (system.contacts.reading == LawReading::literal) {
+    energy.created_by_law = contact_energies(system.contacts, loops).created;
   }
+  check_energy(system, energy);
 }
 
 }  // namespace asperity

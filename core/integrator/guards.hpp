@@ -10,7 +10,11 @@ void check_state(const System& system);
 /// Throws a numerical error where a general contact is too deep to push back.
 void check_overlaps(const System& system);
 
-/// Throws a numerical error where the kinetic energy exceeds the work done so far (plus what a literal law created).
+/// Throws a numerical error where the kinetic energy is not finite or exceeds the work done so far (plus what a literal
+/// law created); it names the node that moves with most energy.
 void check_energy(const System& system, const EnergyBalance& energy);
+
+/// All three checks of the present state, between two steps or after update_velocities.
+void check_all(const System& system, const ParallelLoops& loops);
 
 }  // namespace asperity

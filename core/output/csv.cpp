@@ -1,14 +1,11 @@
 #include "core/output/csv.hpp"
 
-#include <unistd.h>
-
 #include <array>
 #include <cassert>
-#include <cerrno>
 #include <charconv>
 
-#include "core/output/atomic_file.hpp"
-#include "core/output/output_error.hpp"
+#include "core/base/atomic_file.hpp"
+#include "core/base/error.hpp"
 
 namespace asperity {
 namespace {
@@ -63,9 +60,8 @@ CsvTable::CsvTable(FileDescriptor file, std::size_t columns, std::size_t rows)
     : file_(std::move(file)), columns_(columns), rows_(rows) {}
 
 CsvTable CsvTable::create(const std::filesystem::path& path, const std::vector<std::string>& columns) {
-  FileDescriptor file(path, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND);
-  file.write_all(header_line(columns));
-  return {std::move(file), columns.size(), 0};
+  write_file_atomically(path, header_line(columns));
+  return {FileDescriptor(path, O_WRONLY | O_APPEND), columns.size(), 0};
 }
 
 CsvTable CsvTable::resume(const std::filesystem::path& path, const std::vector<std::string>& columns,
@@ -77,18 +73,25 @@ CsvTable CsvTable::resume(const std::filesystem::path& path, const std::vector<s
   const std::size_t end = end_of_lines(text, rows + 1);
   if (end == std::string::npos) throw cannot_resume(path, "rows are missing", std::to_string(rows) + " rows or more");
   FileDescriptor file(path, O_WRONLY | O_APPEND);
-  if (::ftruncate(file.get(), static_cast<off_t>(end)) != 0) throw output_error(path, "cannot be written", errno);
+  file.cut_to(static_cast<off_t>(end));
   return {std::move(file), columns.size(), rows};
 }
 
 void CsvTable::append(std::span<const CsvCell> cells) {
   assert(cells.size() == columns_);
-  file_.write_all(joined(cells));
+  file_.append_all(joined(cells));
   ++rows_;
 }
 
 void CsvTable::append(std::span<const double> values) {
   append(std::span<const CsvCell>(std::vector<CsvCell>(values.begin(), values.end())));
+}
+
+void write_csv(const std::filesystem::path& path, const std::vector<std::string>& columns,
+               const std::vector<std::vector<CsvCell>>& rows) {
+  std::string text = header_line(columns);
+  for (const std::vector<CsvCell>& row : rows) text += joined(row);
+  write_file_atomically(path, text);
 }
 
 }  // namespace asperity

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/output/file_descriptor.hpp"
+#include "core/base/file_descriptor.hpp"
 
 namespace asperity {
 
@@ -26,10 +26,11 @@ class CsvCell {
 };
 
 /// A CSV file that grows row by row; its header row names each column with its unit ("time_s,axial_stress_mpa"). Every
-/// row reaches the operating system whole before append() returns, so an interrupted run leaves a readable file.
+/// row reaches the operating system whole, or not at all, before append() returns, so an interrupted run leaves a
+/// readable file.
 class CsvTable {
  public:
-  /// Starts the file anew with its header row. Throws Error(output).
+  /// Starts the file anew with its header row, in one step. Throws Error(output).
   static CsvTable create(const std::filesystem::path& path, const std::vector<std::string>& columns);
 
   /// Opens the file of an interrupted run and cuts it to its first `rows` rows (those of the checkpoint).
@@ -41,6 +42,9 @@ class CsvTable {
   void append(std::initializer_list<CsvCell> cells) { append(std::span(cells.begin(), cells.size())); }
   void append(std::span<const double> values);
 
+  /// Waits until all rows are on the disk. Throws Error(output).
+  void sync() const { file_.sync(); }
+
   std::size_t rows() const { return rows_; }
 
  private:
@@ -49,6 +53,10 @@ class CsvTable {
   std::size_t columns_;
   std::size_t rows_;
 };
+
+/// Replaces a whole table in one step. Throws Error(output); the old one stays.
+void write_csv(const std::filesystem::path& path, const std::vector<std::string>& columns,
+               const std::vector<std::vector<CsvCell>>& rows);
 
 /// A CSV file read back. Lines that start with '#' and empty lines are skipped.
 class CsvData {

@@ -3,8 +3,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
-#include "core/output/atomic_file.hpp"
 #include "core/output/csv.hpp"
 
 namespace asperity {

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/geometry/mesh.hpp"
-#include "core/output/atomic_file.hpp"
 #include "core/output/run_identity.hpp"
 #include "core/output/shallow_json.hpp"
 

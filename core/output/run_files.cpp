@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/output/output_error.hpp"
+#include "core/base/output_error.hpp"
 #include "core/output/run_folder.hpp"
 
 namespace asperity {

@@ -1,14 +1,15 @@
 #include "core/output/run_folder.hpp"
 
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <utility>
 
-#include "core/output/atomic_file.hpp"
+#include "core/base/atomic_file.hpp"
+#include "core/base/output_error.hpp"
 #include "core/output/manifest.hpp"
-#include "core/output/output_error.hpp"
 #include "core/output/run_files.hpp"
 
 namespace asperity {
@@ -76,6 +77,14 @@ FileDescriptor lock_folder(const fs::path& root) {
   return lock;
 }
 
+/// A run whose files are being cleared must not be taken for finished if the clearing is cut off.
+void mark_as_cut_off(const fs::path& manifest_file) {
+  std::optional<Manifest> manifest = find_manifest(manifest_file);
+  if (!manifest) return;
+  manifest->outcome = Outcome::running;
+  write_manifest(manifest_file, *manifest);
+}
+
 void create_folder(const fs::path& root) try {
   fs::create_directories(root);
 } catch (const fs::filesystem_error& failure) {
@@ -103,6 +112,11 @@ FolderDecision decide_folder_use(const fs::path& root, const RunIdentity& identi
   throw output_error(root, "cannot be read", failure.code().value());
 }
 
+bool cut_off_at_start(const fs::path& root) {
+  return fs::exists(root / kLockName) && fs::exists(root / "config.effective.json") &&
+         !fs::exists(root / "manifest.json");
+}
+
 RunFolder::RunFolder(fs::path root, FolderDecision decision, std::optional<FileDescriptor> lock)
     : root_(std::move(root)), decision_(std::move(decision)), lock_(std::move(lock)) {}
 
@@ -114,13 +128,27 @@ RunFolder RunFolder::begin(const fs::path& root, const RunIdentity& identity, Ex
   // Another process may have run between the decision and the lock.
   decision = decide_folder_use(root, identity, existing);
   if (decision.use == FolderUse::reuse) return {root, std::move(decision), std::nullopt};
+  mark_as_cut_off(root / "manifest.json");
   clear_run_files(root);
   create_run_subfolders(root);
   return {root, std::move(decision), std::move(lock)};
 }
 
+void RunFolder::require_in_place() const {
+  struct stat locked {
+  }, named{};
+  const bool same = lock_ && ::fstat(lock_->get(), &locked) == 0 && ::stat((root_ / kLockName).c_str(), &named) == 0 &&
+                    locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
+  if (same) return;
+  throw refusal(root_, "was removed, moved or replaced while the run went on", "",
+                "where it was moved, `asperity resume` goes on from its last checkpoint there");
+}
+
 RunFolder RunFolder::open(const fs::path& root) {
-  if (!find_manifest(root / "manifest.json")) throw refusal(root, "is no run folder of Asperity", "", "");
+  if (!find_manifest(root / "manifest.json")) {
+    throw refusal(root, "is no run folder of Asperity", "",
+                  "a run cut off before its start is begun with `asperity run`");
+  }
   return {root, {FolderUse::open, "opened as it lies there"}, lock_folder(root)};
 }
 

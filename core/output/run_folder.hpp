@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/output/file_descriptor.hpp"
+#include "core/base/file_descriptor.hpp"
 #include "core/output/run_identity.hpp"
 
 namespace asperity {
@@ -31,6 +31,10 @@ std::filesystem::path default_run_folder(const std::string& config_name);
 /// the folder holds another configuration's run and `existing` is keep, or files that are no run of ours (always).
 FolderDecision decide_folder_use(const std::filesystem::path& root, const RunIdentity& identity, ExistingRun existing);
 
+/// Whether the folder holds a run that was cut off between its configuration and its manifest, the last file of a
+/// start.
+bool cut_off_at_start(const std::filesystem::path& root);
+
 /// A run folder and, unless the run in it is re-used, the lock that keeps other processes from writing there. The lock
 /// is held as long as the object lives.
 class RunFolder {
@@ -44,6 +48,10 @@ class RunFolder {
   /// Opens and locks the folder of a run that lies there, to resume it or to draw it again. Throws Error(output) where
   /// there is none or another process writes there.
   static RunFolder open(const std::filesystem::path& root);
+
+  /// Throws Error(output) where the folder was removed, moved or replaced since it was locked: what is written by its
+  /// name would be lost, or damage another run.
+  void require_in_place() const;
 
   bool reused() const { return decision_.use == FolderUse::reuse; }
   const FolderDecision& decision() const { return decision_; }

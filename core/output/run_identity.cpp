@@ -1,8 +1,8 @@
 #include "core/output/run_identity.hpp"
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/build_info.hpp"
 #include "core/base/sha256.hpp"
-#include "core/output/atomic_file.hpp"
 #include "core/output/manifest.hpp"
 
 namespace asperity {

@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
-#include "core/output/atomic_file.hpp"
 #include "core/output/shallow_json.hpp"
 
 namespace asperity {

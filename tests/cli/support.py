@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import sys
 import unittest
+import xml.etree.ElementTree as ElementTree
 
 BINARY, SOURCE, SCRATCH = (pathlib.Path(a).resolve() for a in sys.argv[1:4])
 TINY = pathlib.Path(__file__).resolve().parent / "tiny_disc.json"
@@ -33,6 +34,21 @@ def settings(**values):
 def listing(folder):
     """Every path below a folder with its size and time of change: equal listings mean that nothing was touched."""
     return {str(p.relative_to(folder)): (p.stat().st_size, p.stat().st_mtime_ns) for p in sorted(folder.rglob("*"))}
+
+
+def result_files(folder):
+    """What two runs of one configuration have the same bytes of, relative to the folder: tables, series, pictures."""
+    kinds = (".csv", ".pvd", ".vtu", ".png")
+    return sorted(p.relative_to(folder) for p in folder.rglob("*") if p.suffix in kinds)
+
+
+def assert_series_whole(test, folder):
+    """Every file that a .pvd of the run names can be read to its end; names of the series there are."""
+    there = [s for s in ("fields", "cracks", "contacts") if (folder / f"{s}.pvd").exists()]
+    for series in there:
+        for entry in ElementTree.parse(folder / f"{series}.pvd").iter("DataSet"):
+            test.assertTrue((folder / entry.get("file")).read_bytes().rstrip().endswith(b"</VTKFile>"), entry.get("file"))
+    return there
 
 
 class CommandLineTest(unittest.TestCase):

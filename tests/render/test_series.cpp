@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
-#include "render/file.hpp"
 #include "render/series.hpp"
 #include "tests/render/picture_file.hpp"
 #include "tests/support/synthetic_frame.hpp"
@@ -145,9 +145,9 @@ TEST_CASE("A folder that cannot be written is an output error that names it, and
   const fs::path folder = test::scratch("render_unwritable");
   std::ofstream(folder / "file") << "not a folder";
   CHECK(kind_thrown([&] { SeriesWriter(folder / "file"); }) == ErrorKind::output);
-  CHECK_THROWS_WITH(write_file(folder / "file/x.png", "bytes"), Catch::Contains("file/x.png"));
+  CHECK_THROWS_WITH(write_file_atomically(folder / "file/x.png", "bytes"), Catch::Contains("file/x.png"));
   fs::create_directories(folder / "taken.png");  // renaming onto a folder fails after the bytes are written
-  CHECK(kind_thrown([&] { write_file(folder / "taken.png", "bytes"); }) == ErrorKind::output);
+  CHECK(kind_thrown([&] { write_file_atomically(folder / "taken.png", "bytes"); }) == ErrorKind::output);
   CHECK(files_in(folder) == 2);
 }
 
@@ -168,10 +168,10 @@ TEST_CASE("Missing and damaged files are output errors") {
   SeriesWriter(run).write(frame_at(0));
   CHECK(kind_thrown([&] { read_frame(run, 1); }) == ErrorKind::output);
   const std::string whole = test::file_bytes(run / "fields/fields_000000.vtu");
-  write_file(run / "fields/fields_000000.vtu", whole.substr(0, whole.size() / 2));
+  write_file_atomically(run / "fields/fields_000000.vtu", whole.substr(0, whole.size() / 2));
   CHECK(kind_thrown([&] { read_frame(run, 0); }) == ErrorKind::output);
-  write_file(run / "fields/fields_000000.vtu", "no XML at all");
+  write_file_atomically(run / "fields/fields_000000.vtu", "no XML at all");
   CHECK(kind_thrown([&] { read_frame(run, 0); }) == ErrorKind::output);
-  write_file(run / "fields.pvd", "<VTKFile>");
+  write_file_atomically(run / "fields.pvd", "<VTKFile>");
   CHECK(kind_thrown([&] { series_times(run); }) == ErrorKind::output);
 }

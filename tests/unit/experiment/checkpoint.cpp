@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstring>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
-#include "core/output/atomic_file.hpp"
 #include "tests/unit/experiment/small_models.hpp"
 
 using namespace asperity;
@@ -161,6 +161,26 @@ TEST_CASE("a staged test goes on from a checkpoint in a hold to the same bits") 
   config.experiment.loading.hold_time_s = 1e-4;
   config.experiment.stop.axial_strain = 0.1 / 54;
   check_round_trip(config, 150, "staged.bin");
+}
+
+TEST_CASE("a run goes on from a checkpoint after any step to the same bits") {
+  RunConfig config = short_disc();
+  config.experiment.stop.axial_strain = 0.0015;
+  config.measurement.samples = 12;
+  Run whole(config);
+  std::vector<std::string> after_step;
+  RunObserver observer;
+  observer.checkpoint_due = [] { return true; };
+  observer.write_checkpoint = [&] { after_step.push_back(checkpoint_bytes(whole.model, whole.state, kHash)); };
+  run_experiment(whole.model, whole.state, ParallelLoops(), observer);
+  REQUIRE(after_step.size() == static_cast<std::size_t>(whole.model.system.step));
+  REQUIRE(after_step.size() > 100);
+  Run resumed(config);
+  for (const std::string& bytes : after_step) {
+    read_checkpoint_bytes(bytes, "bytes", resumed.model, resumed.state, kHash);
+    resumed.go_on();
+    check_same(resumed, whole);
+  }
 }
 
 TEST_CASE("a torn or changed checkpoint is refused and changes nothing") {

@@ -97,6 +97,38 @@ TEST_CASE("an interrupted run stops after the step and goes on where it was") {
   CHECK(run.last().stress_mpa == whole.last().stress_mpa);
 }
 
+TEST_CASE("a state gone wrong is found within the guards' interval and never becomes a checkpoint") {
+  RunConfig config = weak_disc();
+  config.measurement.samples = 5;
+  config.integration.guard_interval_steps = 10;
+  const int checkpoint_step = GENERATE(55, 1000);
+  Model model = small_model(config);
+  RunState state = start_run(model);
+  std::vector<std::int64_t> written;
+  RunObserver observer;
+  observer.interrupted = [&] {
+    if (model.system.step == 53) model.system.particles.velocity[7].x = std::nan("");
+    return false;
+  };
+  observer.checkpoint_due = [&] { return model.system.step == 40 || model.system.step >= checkpoint_step; };
+  observer.write_checkpoint = [&] { written.push_back(model.system.step); };
+  REQUIRE(steps_per_sample(model) > 60);
+  CHECK_THROWS_WITH(run_experiment(model, state, ParallelLoops(), observer), Catch::Contains("not finite"));
+  CHECK(model.system.step == std::min(checkpoint_step, 60));
+  CHECK(written == std::vector<std::int64_t>{40});
+}
+
+TEST_CASE("an interruption with a state gone wrong is a failure, not a checkpoint") {
+  Model model = small_model(weak_disc());
+  RunState state = start_run(model);
+  RunObserver observer;
+  observer.interrupted = [&] {
+    model.system.particles.position[7].x = std::nan("");
+    return true;
+  };
+  CHECK_THROWS_WITH(run_experiment(model, state, ParallelLoops(), observer), Catch::Contains("not finite"));
+}
+
 TEST_CASE("frames are spread over the strain, the first at the start and the last at the end") {
   RunConfig config = weak_disc();
   config.experiment.stop.axial_strain = 0.004;

@@ -83,6 +83,22 @@ TEST_CASE("kinetic energy above the work done stops a run, unless the literal la
   CHECK_NOTHROW(check_energy(system, energy));
 }
 
+TEST_CASE("a velocity that is not finite is found, and its node or the fastest one named") {
+  System system = test::make_system(test::grid_mesh({2, 2}));
+  update_velocities(system, kLoops);
+  CHECK_NOTHROW(check_all(system, kLoops));
+  const std::size_t last = system.particles.node_count() - 1;
+  const Vec2 place = system.particles.reference[last];
+  char near[64];
+  std::snprintf(near, sizeof near, "near (%.4g, %.4g) mm", place.x, place.y);
+  system.particles.velocity[last] = {1e3, 0};
+  update_velocities(system, kLoops);
+  CHECK_THROWS_WITH(check_all(system, kLoops), Catch::Contains("exceeds the work done") && Catch::Contains(near));
+  system.particles.velocity[last].x = std::numeric_limits<double>::quiet_NaN();
+  update_velocities(system, kLoops);
+  CHECK_THROWS_WITH(check_all(system, kLoops), Catch::Contains("velocity is not finite") && Catch::Contains(near));
+}
+
 TEST_CASE("platens push back in proportion, beyond the skin, and friction is limited") {
   System system = test::make_system(test::grid_mesh({2, 2}));
   system.platens.present = true;

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/random.hpp"
-#include "core/output/atomic_file.hpp"
 #include "tests/unit/output/scratch.hpp"
 
 using namespace asperity;
 using asperity::testing::fresh_folder;
+using asperity::testing::SmallFiles;
 
 namespace fs = std::filesystem;
 
@@ -76,14 +77,29 @@ TEST_CASE("a table with other columns is not continued") {
   CHECK_THROWS_WITH(CsvTable::resume(path, {"a"}, 1), Catch::Contains("its columns are others"));
 }
 
-TEST_CASE("a full disk is an output error with path and reason") {
+TEST_CASE("a row that does not fit is an output error with path and reason, and leaves whole rows") {
+  const fs::path path = fresh_folder("csv_limit") / "data.csv";
+  CsvTable table = CsvTable::create(path, {"a", "b"});
+  table.append({1, 2});
+  const SmallFiles limit(10);  // four bytes of header, four of a row, two of the next
   try {
-    CsvTable::create("/dev/full", {"a"});
+    table.append({3, 4});
     FAIL("no error");
   } catch (const Error& error) {
     CHECK(error.kind() == ErrorKind::output);
-    CHECK_THAT(error.what(), Catch::StartsWith("/dev/full: cannot be written: No space left on device"));
+    CHECK_THAT(error.what(), Catch::StartsWith(path.string() + ": cannot be written: File too large"));
   }
+  CHECK(read_file(path) == "a,b\n1,2\n");
+  CHECK(table.rows() == 1);
+}
+
+TEST_CASE("a whole table replaces the old one, or leaves it") {
+  const fs::path path = csv_of("csv_whole", "old\n");
+  write_csv(path, {"a", "mode"}, {{1.5, "shear"}, {2, "tension"}});
+  CHECK(read_file(path) == "a,mode\n1.5,shear\n2,tension\n");
+  const SmallFiles limit(10);
+  CHECK_THROWS_AS(write_csv(path, {"a", "mode"}, {{1.5, "shear"}}), Error);
+  CHECK(read_file(path) == "a,mode\n1.5,shear\n2,tension\n");
 }
 
 TEST_CASE("comments, blanks, quotes, Windows line ends and a byte order mark are read") {

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/geometry/mesh.hpp"
-#include "core/output/atomic_file.hpp"
 #include "tests/unit/output/scratch.hpp"
 
 using namespace asperity;

@@ -2,14 +2,15 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
-#include "core/output/atomic_file.hpp"
 #include "core/output/manifest.hpp"
 #include "core/output/run_files.hpp"
 #include "tests/unit/output/scratch.hpp"
 
 using namespace asperity;
 using asperity::testing::fresh_folder;
+using asperity::testing::SmallFiles;
 
 namespace fs = std::filesystem;
 
@@ -186,6 +187,38 @@ TEST_CASE("a path that is a file, and a folder that cannot be made, are output e
   write_file_atomically(root / "file", "x");
   CHECK_THAT(refusal_of(root / "file", kClean, ExistingRun::keep), Catch::Contains("is no folder"));
   CHECK_THAT(refusal_of("/proc/no/run", kClean, ExistingRun::keep), Catch::Contains("/proc/no/run: cannot be created"));
+}
+
+TEST_CASE("a run cut off before its manifest is told from one that has begun and from a stranger's folder") {
+  const fs::path root = fresh_folder("rf_at_start");
+  CHECK_FALSE(cut_off_at_start(root));
+  const RunFolder folder = RunFolder::begin(root, kClean, ExistingRun::keep);
+  CHECK_FALSE(cut_off_at_start(root));
+  write_file_atomically(folder.effective_config(), "{}");
+  CHECK(cut_off_at_start(root));
+  write_manifest(folder.manifest(), manifest_of(kClean, Outcome::running));
+  CHECK_FALSE(cut_off_at_start(root));
+}
+
+TEST_CASE("a folder that was removed, moved or replaced meanwhile is noticed") {
+  const fs::path root = fresh_folder("rf_moved"), elsewhere = fresh_folder("rf_moved_to");
+  const RunFolder folder = RunFolder::begin(root, kClean, ExistingRun::keep);
+  CHECK_NOTHROW(folder.require_in_place());
+  fs::rename(root, elsewhere);
+  CHECK_THROWS_WITH(folder.require_in_place(), Catch::StartsWith(root.string() + ": was removed, moved or replaced"));
+  const RunFolder other = RunFolder::begin(root, kClean, ExistingRun::keep);
+  CHECK_NOTHROW(other.require_in_place());
+  CHECK_THROWS_AS(folder.require_in_place(), Error);
+}
+
+TEST_CASE("a finished run is cleared only after its manifest says that it is no longer whole") {
+  const fs::path root = folder_with_run("rf_marked", kClean, Outcome::finished);
+  {
+    const SmallFiles limit(200);  // enough for the lock's line, too little for a manifest
+    CHECK_THROWS_WITH(RunFolder::begin(root, kClean, ExistingRun::replace), Catch::Contains("manifest.json"));
+  }
+  CHECK(fs::exists(root / "curves.csv"));
+  CHECK(use_of(root, kClean) == FolderUse::reuse);
 }
 
 TEST_CASE("files of a run are known by their exact names") {

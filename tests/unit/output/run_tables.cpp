@@ -2,10 +2,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/base/atomic_file.hpp"
 #include "core/measurement/acoustic.hpp"
 #include "core/measurement/crack_network.hpp"
 #include "core/measurement/sample.hpp"
-#include "core/output/atomic_file.hpp"
 
 using namespace asperity;
 

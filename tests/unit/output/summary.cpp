@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
-#include "core/output/atomic_file.hpp"
 #include "tests/unit/output/scratch.hpp"
 
 using namespace asperity;

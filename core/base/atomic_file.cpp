@@ -1,4 +1,4 @@
-#include "core/output/atomic_file.hpp"
+#include "core/base/atomic_file.hpp"
 
 #include <unistd.h>
 
@@ -6,8 +6,8 @@
 #include <cerrno>
 #include <cstdio>
 
-#include "core/output/file_descriptor.hpp"
-#include "core/output/output_error.hpp"
+#include "core/base/file_descriptor.hpp"
+#include "core/base/output_error.hpp"
 
 namespace asperity {
 namespace {
@@ -37,6 +37,12 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
     throw;
   }
   sync_folder_of(path);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directory(folder, error);
+  if (error) throw output_error(folder, "cannot be created", error.value());
 }
 
 std::string read_file(const std::filesystem::path& path) {

@@ -10,6 +10,9 @@ namespace asperity {
 /// file stays.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// Makes the folder if it is missing; its parent must exist. Throws Error(output) with path and reason.
+void make_folder(const std::filesystem::path& folder);
+
 /// All bytes of a file. Throws Error(output) with path and reason.
 std::string read_file(const std::filesystem::path& path);
 

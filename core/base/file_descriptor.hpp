@@ -23,6 +23,10 @@ class FileDescriptor {
 
   /// Writes all bytes at the present position; throws Error(output).
   void write_all(std::string_view bytes) const;
+  /// Appends all bytes, or none where the disk is full; throws Error(output). For files opened with O_APPEND.
+  void append_all(std::string_view bytes) const;
+  /// Cuts the file; throws Error(output).
+  void cut_to(off_t size) const;
   /// Waits until the bytes are on the disk; throws Error(output).
   void sync() const;
 

@@ -1,4 +1,4 @@
-#include "core/output/output_error.hpp"
+#include "core/base/output_error.hpp"
 
 #include <cerrno>
 #include <system_error>

@@ -1,4 +1,4 @@
-#include "core/output/atomic_file.hpp"
+#include "core/base/atomic_file.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,11 +1,11 @@
-#include "core/output/file_descriptor.hpp"
+#include "core/base/file_descriptor.hpp"
 
 #include <unistd.h>
 
 #include <cerrno>
 #include <utility>
 
-#include "core/output/output_error.hpp"
+#include "core/base/output_error.hpp"
 
 namespace asperity {
 
@@ -34,6 +34,20 @@ void FileDescriptor::write_all(std::string_view bytes) const {
     if (written < 0) throw output_error(path_, "cannot be written", errno);
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
+}
+
+void FileDescriptor::append_all(std::string_view bytes) const {
+  const off_t before = ::lseek(descriptor_, 0, SEEK_END);
+  try {
+    write_all(bytes);
+  } catch (const Error&) {
+    cut_to(before);
+    throw;
+  }
+}
+
+void FileDescriptor::cut_to(off_t size) const {
+  if (::ftruncate(descriptor_, size) != 0) throw output_error(path_, "cannot be cut", errno);
 }
 
 void FileDescriptor::sync() const {
