@@ -12,6 +12,10 @@ using nlohmann::json;
 
 namespace {
 
+constexpr std::size_t kDeepest = 64;        // later steps recurse over the levels
+constexpr std::size_t kLongestArray = 256;  // later steps compare all pairs of values
+constexpr std::size_t kMostTooLarge = 100;  // each of these numbers takes a pass over the text
+
 /// An object or array that is being read.
 struct Level {
   bool is_array;
@@ -47,6 +51,7 @@ class Scanner : public nlohmann::json_sax<json> {
   std::vector<Fault> duplicates;
   std::vector<TooLarge> too_large;   ///< At most one: the parser stops there.
   bool too_deep = false;             ///< The parser stopped at brackets nested beyond any sense.
+  std::string too_long;              ///< The value at which an array had too many; empty if none has.
   std::size_t syntax_error_end = 0;  ///< Bytes read when the syntax error was seen.
   std::string syntax_error;          ///< Empty if there is none.
 
@@ -59,12 +64,13 @@ class Scanner : public nlohmann::json_sax<json> {
 };
 
 bool Scanner::next() {
-  if (!levels_.empty() && levels_.back().is_array) ++levels_.back().index;
-  return true;
+  if (levels_.empty() || !levels_.back().is_array) return true;
+  if (levels_.back().index == kLongestArray) too_long = pointer();
+  ++levels_.back().index;
+  return too_long.empty();
 }
 
 bool Scanner::enter(bool is_array) {
-  constexpr std::size_t kDeepest = 64;  // later steps recurse over the levels
   too_deep = levels_.size() == kDeepest;
   if (too_deep) return false;
   levels_.push_back({is_array, 0, {}, {}});
@@ -117,6 +123,8 @@ std::string parser_message(const std::string& message) {
 
 Fault syntax_fault(const Scanner& scanner, const std::string& text, const std::string& origin) {
   if (scanner.too_deep) return {origin, "has brackets nested too deeply", "", "up to 64 levels", ""};
+  if (!scanner.too_long.empty())
+    return {scanner.too_long, "is one value too many for an array", "", "up to 256 values", ""};
   const std::size_t byte = scanner.syntax_error_end == 0 ? 0 : scanner.syntax_error_end - 1;
   return {place(text, origin, byte), "is not JSON: " + parser_message(scanner.syntax_error), "", "",
           "JSON has no comments and no comma before a closing bracket; keys stand in double quotes"};
@@ -142,6 +150,7 @@ ParsedText parse_json(std::string text, const std::string& origin) {
     const bool done = json::sax_parse(text, &scanner);
     if (!done && !scanner.too_large.empty()) {
       faults.push_back(too_large_fault(scanner.too_large.front()));
+      if (faults.size() == kMostTooLarge) return {nullptr, std::move(faults), false};
       blank_out(text, scanner.too_large.front());
       continue;
     }

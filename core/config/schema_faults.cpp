@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -98,6 +99,12 @@ std::vector<Fault> unknown_key_faults(const Finding& finding, const json& docume
   return faults;
 }
 
+/// Whether a finding says no more than what is named already: valijson has one for each pair of equal values.
+bool is_repeated(const Finding& finding, const std::set<std::string>& named) {
+  return !finding.description.starts_with(kUnknownKey) && !finding.description.starts_with(kMissingKey) &&
+         named.contains(pointer_of(finding));
+}
+
 std::vector<Fault> faults_of(const Finding& finding, const json& document, const json& schema) {
   if (finding.description.starts_with(kEcho)) return {};
   if (finding.description.starts_with(kUnknownKey)) return unknown_key_faults(finding, document, schema);
@@ -105,12 +112,22 @@ std::vector<Fault> faults_of(const Finding& finding, const json& document, const
   return {value_fault(finding, document, schema)};
 }
 
+/// The schema as valijson wants it. Making it takes far longer than using it, so the last one is kept.
+const valijson::Schema& prepared(const json& schema) {
+  thread_local json source;
+  thread_local std::unique_ptr<valijson::Schema> result;
+  if (!result || source != schema) {
+    result = std::make_unique<valijson::Schema>();
+    valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), *result);
+    source = schema;
+  }
+  return *result;
+}
+
 /// In valijson's order, but wrong types first: they are the cause of what else is wrong with the value.
 std::vector<Finding> findings(const json& document, const json& schema) {
-  valijson::Schema parsed;
-  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), parsed);
   valijson::ValidationResults results;
-  valijson::Validator().validate(parsed, valijson::adapters::NlohmannJsonAdapter(document), &results);
+  valijson::Validator().validate(prepared(schema), valijson::adapters::NlohmannJsonAdapter(document), &results);
   std::vector<Finding> ordered(results.begin(), results.end());
   std::stable_partition(ordered.begin(), ordered.end(),
                         [](const Finding& finding) { return finding.description.starts_with(kWrongType); });
@@ -122,9 +139,11 @@ std::vector<Finding> findings(const json& document, const json& schema) {
 std::vector<Fault> schema_faults(const json& document, const json& schema) {
   std::vector<Fault> faults;
   std::set<std::string> named;
-  for (const Finding& finding : findings(document, schema))
+  for (const Finding& finding : findings(document, schema)) {
+    if (is_repeated(finding, named)) continue;
     for (Fault& fault : faults_of(finding, document, schema))
       if (named.insert(fault.where).second) faults.push_back(std::move(fault));
+  }
   return faults;
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/sha256.hpp"
+#include "core/experiment/checkpoint_checks.hpp"
 
 namespace asperity {
 namespace {
@@ -125,16 +126,6 @@ StopReason stop_to_keep(const RunState& state) {
   return state.stop == StopReason::interrupted ? StopReason::running : state.stop;
 }
 
-/// Whether the state is one of the model's mesh: other code may mesh the same configuration in another way.
-bool fits(const System& restored, const System& model) {
-  return restored.particles.position.size() == model.particles.position.size() &&
-         restored.particles.velocity.size() == model.particles.velocity.size() &&
-         restored.platen_shear.size() == model.platen_shear.size() &&
-         restored.contacts.broken_index.size() == model.contacts.broken_index.size() &&
-         restored.contacts.memory.packed.size() == model.contacts.memory.packed.size() &&
-         restored.contacts.memory.literal.size() == model.contacts.memory.literal.size();
-}
-
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
   throw Error(ErrorKind::output, {{file.string(), why, "", "", "start the run again with `asperity run`"}});
 }
@@ -176,7 +167,8 @@ void read_checkpoint_bytes(std::string_view bytes, const std::filesystem::path& 
   } catch (const std::runtime_error& failure) {
     refuse(file, failure.what());
   }
-  if (!fits(restored_model.system, model.system)) refuse(file, "belongs to another mesh");
+  const std::string why = contradiction(model, restored_model.system, restored_state);
+  if (!why.empty()) refuse(file, why);
   model = std::move(restored_model);
   state = std::move(restored_state);
 }

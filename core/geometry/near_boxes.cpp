@@ -3,6 +3,9 @@
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
+#include <array>
+
+#include "core/geometry/moderate.hpp"
 
 namespace asperity {
 namespace {
@@ -35,6 +38,7 @@ std::vector<std::array<int, 2>> sorted(const std::vector<std::array<int, 2>>& pa
 }  // namespace
 
 std::vector<std::array<int, 2>> near_boxes(const std::vector<Box>& boxes) {
+  for (const Box& box : boxes) require_moderate(std::array{box.low, box.high});  // CGAL sorts them
   std::vector<const Box*> handles;
   handles.reserve(boxes.size());
   for (const Box& box : boxes) handles.push_back(&box);

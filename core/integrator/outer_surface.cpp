@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/contact/pieces.hpp"
+#include "core/geometry/moderate.hpp"
 
 namespace asperity {
 namespace {
@@ -146,6 +147,7 @@ std::vector<Vec2> closed_positions(const std::vector<Vec2>& position, const std:
 
 std::vector<LoadedEdge> find_loaded_edges(const std::vector<Vec2>& position, std::span<const ExposedEdge> exposed,
                                           std::span<const std::uint8_t> carries) {
+  require_moderate(position);
   std::vector<double> share(exposed.size(), 0.0);
   for (double side : {1.0, -1.0}) add_shares(edges_facing(side, position, exposed, carries), share);
   std::vector<LoadedEdge> loaded;

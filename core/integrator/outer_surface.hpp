@@ -43,7 +43,8 @@ std::vector<Vec2> closed_positions(const std::vector<Vec2>& position, const std:
 
 /// The edges seen from the left (along +x) or from the right, Eq. (I16), in the order of `exposed`: at every height the
 /// outermost edge of a carrying triangle that faces the side. An edge of which nothing is hidden has share 1.0 exactly.
-/// `position` (mm) should be closed; gaps let the pressure in. O(n log n) where edges do not cross.
+/// `position` (mm) should be closed; gaps let the pressure in. O(n log n) where edges do not cross. Throws
+/// Error(numerical) where a position is no number, as after a blow-up.
 std::vector<LoadedEdge> find_loaded_edges(const std::vector<Vec2>& position, std::span<const ExposedEdge> exposed,
                                           std::span<const std::uint8_t> carries);
 

@@ -73,7 +73,7 @@ class CsvData {
   std::vector<std::string> words(std::string_view name) const;
 
  private:
-  friend CsvData read_csv(const std::filesystem::path& path);
+  friend CsvData parse_csv(std::string_view bytes, const std::filesystem::path& name);
   void add_line(std::size_t number, std::vector<std::string> cells);
   std::size_t index_of(std::string_view name) const;
   std::filesystem::path path_;
@@ -85,5 +85,8 @@ class CsvData {
 /// Reads a CSV file with a header row. Throws Error(config) naming file:line for a row of the wrong length, an open
 /// quote, a column named twice, and where the file is missing or has no header.
 CsvData read_csv(const std::filesystem::path& path);
+
+/// The same for bytes that are already there; `name` stands for the file in errors.
+CsvData parse_csv(std::string_view bytes, const std::filesystem::path& name);
 
 }  // namespace asperity

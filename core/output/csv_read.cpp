@@ -137,22 +137,23 @@ void CsvData::add_line(std::size_t number, std::vector<std::string> cells) {
   lines_.push_back(number);
 }
 
-CsvData read_csv(const std::filesystem::path& path) {
-  const std::string text = read_data_file(path);
+CsvData read_csv(const std::filesystem::path& path) { return parse_csv(read_data_file(path), path); }
+
+CsvData parse_csv(std::string_view bytes, const std::filesystem::path& name) {
   CsvData data;
-  data.path_ = path;
+  data.path_ = name;
   std::size_t number = 0;
-  for (std::string_view rest = without_byte_order_mark(text); !rest.empty();) {
+  for (std::string_view rest = without_byte_order_mark(bytes); !rest.empty();) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = trimmed(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     ++number;
     if (line.empty() || line.front() == '#') continue;
     std::optional<std::vector<std::string>> cells = split(line);
-    if (!cells) throw data_error(path, number, {"", "a quote stays open", std::string(line), "", ""});
+    if (!cells) throw data_error(name, number, {"", "a quote stays open", std::string(line), "", ""});
     data.add_line(number, *std::move(cells));
   }
-  if (data.names_.empty()) throw data_error(path, 0, {"", "has no header row", "", "", ""});
+  if (data.names_.empty()) throw data_error(name, 0, {"", "has no header row", "", "", ""});
   return data;
 }
 

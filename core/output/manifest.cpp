@@ -11,6 +11,7 @@
 #include "core/base/error.hpp"
 #include "core/geometry/mesh.hpp"
 #include "core/output/run_identity.hpp"
+#include "core/output/shallow_json.hpp"
 
 namespace asperity {
 
@@ -88,6 +89,17 @@ BuildInfo build_of(const Json& json) {
           json.at("compiler"), json.at("flags"),    json.at("build_type")};
 }
 
+/// Whether it is a whole number in this range; a conversion would take any number for one.
+bool is_count(const Json& json, std::uint64_t least, std::uint64_t most) {
+  return json.is_number_unsigned() && json.get<std::uint64_t>() >= least && json.get<std::uint64_t>() <= most;
+}
+
+bool counts_hold(const Json& json) {
+  return is_count(json.at("threads"), 1, std::numeric_limits<int>::max()) &&
+         is_count(json.at("seed"), 0, std::numeric_limits<std::uint64_t>::max()) &&
+         is_count(json.at("host").at("cores"), 0, std::numeric_limits<unsigned>::max());
+}
+
 Manifest from_json(const Json& json) {
   Manifest m;
   m.build = build_of(json);
@@ -144,14 +156,16 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
   write_file_atomically(path, to_json(manifest).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-Manifest read_manifest(const std::filesystem::path& path) {
+Manifest read_manifest(const std::filesystem::path& path) { return parse_manifest(read_file(path), path); }
+
+Manifest parse_manifest(std::string_view text, const std::filesystem::path& name) {
   try {
-    const Json json = Json::parse(read_file(path));
-    if (json.value("program", "") == kProgram) return from_json(json);
+    const Json json = parse_shallow_json(text, name);
+    if (json.value("program", "") == kProgram && counts_hold(json)) return from_json(json);
   } catch (const nlohmann::json::exception&) {
     // Told below like a manifest of another program.
   }
-  throw Error(ErrorKind::output, {{path.string(), "is no manifest of Asperity", "", "", ""}});
+  throw Error(ErrorKind::output, {{name.string(), "is no manifest of Asperity", "", "", ""}});
 }
 
 std::optional<Manifest> find_manifest(const std::filesystem::path& path) {

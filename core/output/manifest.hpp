@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/build_info.hpp"
@@ -55,6 +56,9 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
 
 /// Throws Error(output) where the file is missing or no manifest of Asperity.
 Manifest read_manifest(const std::filesystem::path& path);
+
+/// The same for a text that is already there; `name` stands for the file in errors.
+Manifest parse_manifest(std::string_view text, const std::filesystem::path& name);
 
 /// The manifest, or nothing where the file is missing or not Asperity's.
 std::optional<Manifest> find_manifest(const std::filesystem::path& path);

@@ -1,12 +1,16 @@
 #include "core/output/summary.hpp"
 
+#include <array>
+
 #include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
+#include "core/output/shallow_json.hpp"
 
 namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
+constexpr std::array kSections{"experiment", "results", "energy", "cracks", "contacts", "cost"};
 
 }  // namespace
 
@@ -17,14 +21,20 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   write_file_atomically(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-Summary read_summary(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+Summary read_summary(const std::filesystem::path& path) { return parse_summary(read_file(path), path); }
+
+Summary parse_summary(std::string_view text, const std::filesystem::path& name) {
   try {
-    const Json json = Json::parse(text);
+    const Json json = parse_shallow_json(text, name);
+    for (const char* section : kSections) {
+      if (!json.at(section).is_object())
+        throw Error(ErrorKind::output,
+                    {{name.string(), std::string("is no summary: \"") + section + "\" is no object", "", "", ""}});
+    }
     return {json.at("experiment"), json.at("results"), json.at("energy"),  json.at("cracks"),
             json.at("contacts"),   json.at("cost"),    json.at("warnings")};
   } catch (const nlohmann::json::exception& failure) {
-    throw Error(ErrorKind::output, {{path.string(), std::string("is no summary: ") + failure.what(), "", "", ""}});
+    throw Error(ErrorKind::output, {{name.string(), std::string("is no summary: ") + failure.what(), "", "", ""}});
   }
 }
 

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace asperity {
@@ -22,5 +23,8 @@ void write_summary(const std::filesystem::path& path, const Summary& summary);
 
 /// Throws Error(output) where the file is missing, no JSON, or lacks one of the keys.
 Summary read_summary(const std::filesystem::path& path);
+
+/// The same for a text that is already there; `name` stands for the file in errors.
+Summary parse_summary(std::string_view text, const std::filesystem::path& name);
 
 }  // namespace asperity

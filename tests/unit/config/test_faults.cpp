@@ -34,6 +34,31 @@ TEST_CASE("brackets nested without end are refused, not followed") {
   CHECK(allowed.at("/a").what == "is not a key of the configuration");
 }
 
+/// So many times the same between commas.
+std::string many(const std::string& item, int times) {
+  std::string text = item;
+  for (int i = 1; i < times; ++i) text += "," + item;
+  return text;
+}
+
+TEST_CASE("an array without end is refused, not compared value by value") {
+  const Refusal r = refusal(disc_with("\"output\": {\"fields\": [" + many("\"cracks\"", 100000) + "]}"));
+  REQUIRE(r.faults.size() == 1);
+  CHECK(r.faults[0].where == "/output/fields/256");
+  CHECK(contains(r.faults[0].what, "too many"));
+  const Refusal allowed = refusal(disc_with("\"output\": {\"fields\": [" + many("\"cracks\"", 256) + "]}"));
+  CHECK(allowed.faults.size() == 1);
+  CHECK(allowed.at("/output/fields").what == "has a value twice");
+}
+
+TEST_CASE("only the first hundred numbers that are too large are named") {
+  std::string keys;
+  for (int i = 0; i < 5000; ++i) keys += (i > 0 ? ",\"k" : "\"k") + std::to_string(i) + "\": 1e999";
+  const Refusal r = refusal("{" + keys + "}");
+  CHECK(r.faults.size() == 100);
+  CHECK(r.at("/k99").what == "is too large for a number");
+}
+
 TEST_CASE("a text that is no object is refused") {
   const Refusal r = refusal("[1]");
   REQUIRE(r.faults.size() == 1);

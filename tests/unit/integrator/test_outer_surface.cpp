@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/error.hpp"
 #include "core/integrator/outer_surface.hpp"
 #include "tests/support/models.hpp"
 
@@ -292,4 +293,11 @@ TEST_CASE("nodes stay joined at a corner until its contacts are broken") {
   CHECK(groups(whole) == 6);
   CHECK(groups(apart) == 8);
   CHECK(closed_positions({{0, 1}, {2, 5}, {4, 3}}, {0, 1, 0}) == std::vector<Vec2>{{2, 2}, {2, 5}, {2, 2}});
+}
+
+TEST_CASE("a surface with a position that is no number is a numerical error") {
+  Surface s = surface_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  CHECK(find_loaded_edges(s.position, s.exposed, s.carries).size() == 2);
+  s.position[2].x = std::nan("");
+  CHECK_THROWS_AS(find_loaded_edges(s.position, s.exposed, s.carries), Error);
 }

@@ -109,3 +109,21 @@ TEST_CASE("mesh quality is recorded by name and unit") {
   CHECK(entries.at("edge_mean_mm") == 2.01);
   CHECK(entries.size() == 10);
 }
+
+TEST_CASE("a manifest whose counts are none is not taken for ours") {
+  const auto path = fresh_folder("manifest_counts") / "manifest.json";
+  write_manifest(path, example());
+  const auto whole = nlohmann::json::parse(read_file(path));
+  const auto changed = [&](const std::string& pointer, const nlohmann::json& value) {
+    nlohmann::json json = whole;
+    json[nlohmann::json::json_pointer(pointer)] = value;
+    return json.dump();
+  };
+  CHECK(parse_manifest(whole.dump(), path).threads == 2);
+  for (const nlohmann::json& value : {nlohmann::json(0), nlohmann::json(-1), nlohmann::json(1e300), nlohmann::json(1.5),
+                                      nlohmann::json(true), nlohmann::json(std::uint64_t{1} << 40)}) {
+    CHECK_THROWS_WITH(parse_manifest(changed("/threads", value), path), Catch::Contains("is no manifest of Asperity"));
+  }
+  CHECK_THROWS_AS(parse_manifest(changed("/seed", -1), path), Error);
+  CHECK_THROWS_AS(parse_manifest(changed("/host/cores", 1e300), path), Error);
+}

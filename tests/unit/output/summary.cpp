@@ -1,6 +1,7 @@
 #include "core/output/summary.hpp"
 
 #include <catch2/catch.hpp>
+#include <string>
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
@@ -33,4 +34,16 @@ TEST_CASE("a file that is no summary is told by its path") {
   CHECK_THROWS_WITH(read_summary(path), Catch::Contains("summary.json: is no summary"));
   write_file_atomically(path, "{");
   CHECK_THROWS_AS(read_summary(path), Error);
+}
+
+TEST_CASE("a summary whose section is no object is told by the section") {
+  const std::string text =
+      R"({"experiment": {}, "results": 1, "energy": {}, "cracks": {}, "contacts": {}, "cost": {}, "warnings": []})";
+  CHECK_THROWS_WITH(parse_summary(text, "summary.json"), Catch::Contains("\"results\" is no object"));
+}
+
+TEST_CASE("brackets nested without end are told, not followed") {
+  const std::string text = "{\"experiment\": " + std::string(200000, '[') + std::string(200000, ']') + "}";
+  CHECK_THROWS_WITH(parse_summary(text, "summary.json"),
+                    Catch::Contains("summary.json: has brackets nested too deeply"));
 }
