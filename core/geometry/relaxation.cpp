@@ -46,8 +46,8 @@ void move(MeshPoint& point, const Outline& outline, Vec2 force, double mean_mm) 
   point.at = side.at(point.along);
 }
 
-/// Eq. (G7).
-void move_to_middles(PointSet& set, const std::vector<Vec2>& at, const Triangulation& mesh) {
+/// Middles of the triangles around each point, Eq. (G7), mm; of a point without any, itself.
+std::vector<Vec2> middles(const std::vector<Vec2>& at, const Triangulation& mesh) {
   std::vector<Vec2> moment(at.size());
   std::vector<double> area(at.size(), 0.0);
   for (const auto& triangle : mesh.triangles) {
@@ -58,9 +58,34 @@ void move_to_middles(PointSet& set, const std::vector<Vec2>& at, const Triangula
       area[v] += twice;
     }
   }
-  for (std::size_t i = 0; i < at.size(); ++i)
-    if (set.points[i].freedom == Freedom::free && area[i] > 0.0) set.points[i].at = (1.0 / area[i]) * moment[i];
+  std::vector<Vec2> result(at);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (area[i] > 0.0) result[i] = (1.0 / area[i]) * moment[i];
+  }
+  return result;
 }
+
+/// 1 for every corner of a triangle with an angle below the one asked for.
+std::vector<std::uint8_t> poor_points(const std::vector<Vec2>& at, const Triangulation& mesh, double angle_min_deg) {
+  std::vector<std::uint8_t> poor(at.size(), 0);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    if (smallest_angle(at[a], at[b], at[c]) < angle_min_deg * units::kRadPerDeg) poor[a] = poor[b] = poor[c] = 1;
+  }
+  return poor;
+}
+
+/// Free points among the poor ones go to the middle of their triangles instead of where the springs push them: of some
+/// hundred thousand points a few are squeezed flat against the outline, and would leave the specimen.
+void mend(PointSet& set, const std::vector<Vec2>& at, const Triangulation& mesh, double angle_min_deg) {
+  const std::vector<std::uint8_t> poor = poor_points(at, mesh, angle_min_deg);
+  const std::vector<Vec2> middle = middles(at, mesh);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (poor[i] && set.points[i].freedom == Freedom::free) set.points[i].at = middle[i];
+  }
+}
+
+/// Deviation over the one asked for from which on poor triangles are mended one by one.
+constexpr double kNearlyRelaxed = 1.15;
 
 bool met(const Regularity& r, const RelaxationGoal& goal) {
   return r.edge_deviation_mm <= goal.edge_deviation * r.edge_mean_mm && r.angle_min_deg >= goal.angle_min_deg;
@@ -89,6 +114,8 @@ Relaxed relax(PointSet& set, const Outline& outline, const RelaxationGoal& goal)
     if (met(regularity, goal) || iteration == goal.iterations) return {std::move(mesh), regularity};
     const std::vector<Vec2> force = spring_forces(at, mesh, regularity.edge_mean_mm);
     for (std::size_t i = 0; i < at.size(); ++i) move(set.points[i], outline, force[i], regularity.edge_mean_mm);
+    const bool nearly = regularity.edge_deviation_mm <= kNearlyRelaxed * goal.edge_deviation * regularity.edge_mean_mm;
+    if (nearly && regularity.angle_min_deg < goal.angle_min_deg) mend(set, at, mesh, goal.angle_min_deg);
   }
 }
 
@@ -103,7 +130,10 @@ Relaxed smooth(PointSet& set, int iterations) {
       best = {mesh, regularity};
       best_set = set;
     }
-    move_to_middles(set, at, mesh);
+    const std::vector<Vec2> middle = middles(at, mesh);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (set.points[i].freedom == Freedom::free) set.points[i].at = middle[i];
+    }
   }
   set = std::move(best_set);
   return best;

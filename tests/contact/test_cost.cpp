@@ -5,6 +5,7 @@
 
 #include "core/base/random.hpp"
 #include "core/experiment/run.hpp"
+#include "tests/support/models.hpp"
 
 using namespace asperity;
 
