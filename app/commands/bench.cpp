@@ -57,7 +57,7 @@ nlohmann::json other_instruction_sets(const System& system) {
   nlohmann::json entries = nlohmann::json::array();
   for (const InstructionSet& set : instruction_sets()) {
     const ForcedInstructionSet forced(set);
-    const StepCost cost = measure_step(system, ParallelLoops(1));
+    const StepCost cost = measure_step(system, {1}).front();
     entries.push_back({{"simd", set.name}, {"ratio", cost.reference_ns / cost.fast_ns}});
     entries.back().update(to_json(cost));
     fmt::print("{:>9} {} threads 1: {:.1f} ns/tri, {:.2f} times the reference\n", cost.triangles, set.name,
@@ -83,8 +83,7 @@ int bench_command(const BenchOptions& options) {
   print_head();
   for (int triangles : sizes) {
     const System system = benchmark_system(triangles);
-    for (int threads : thread_counts) {
-      const StepCost cost = measure_step(system, ParallelLoops(threads));
+    for (const StepCost& cost : measure_step(system, thread_counts)) {
       report["sizes"].push_back(to_json(cost));
       print_row(cost);
     }

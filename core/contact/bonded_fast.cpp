@@ -76,6 +76,8 @@ struct Outcome {
   Traction traction;
   Real friction_energy;  ///< Spent now.
   Lanes breaks;
+  // Which rows have changed in any lane: the others are not written back, which spares a large model's memory.
+  bool yields = false, rubs = false, weakens = false, softens = false;
 };
 
 /// Eq. (D7).
@@ -83,6 +85,7 @@ HWY_INLINE void slide_broken_share(State& s, Real shear, Real pressure, const La
   const Real share = Sub(set(1.0), s.integrity_s);
   const Lanes acts = hn::Gt(share, Zero(kDoubles));
   if (!any(acts)) return;
+  out.rubs = true;
   const Real stiffness = Mul(share, p.k_s);
   const Real trial = Add(s.friction, Mul(stiffness, Sub(shear, s.shear)));
   const Real after = clamp(trial, Mul(Mul(share, pressure), p.tan_phi));
@@ -99,6 +102,7 @@ HWY_INLINE void hand_over(State& s, Real integrity_s, Real stress_before, Real s
                           const Law& p, Outcome& out) {
   const Real part = Sub(s.integrity_s, integrity_s), share = Sub(set(1.0), s.integrity_s);
   if (!any(hn::Gt(part, Zero(kDoubles)))) return;
+  out.rubs = true;
   const Real kept = clamp(stress, limit);
   const Real lost = Max(Zero(kDoubles), Sub(Mul(stress_before, stress), Mul(kept, kept)));
   s.fracture_energy = Add(s.fracture_energy, Mul(Mul(p.half_inverse_k_s, part), lost));
@@ -119,7 +123,7 @@ HWY_INLINE void hand_over(State& s, Real integrity_s, Real stress_before, Real s
 HWY_INLINE Outcome update_points(State& s, Real normal, Real shear, const Law& p) {
   const Real zero = Zero(kDoubles), one = set(1.0);
   const Real pressure = Max(zero, Neg(Mul(p.k_t, normal)));
-  Outcome out{{}, zero, {}};
+  Outcome out{{zero, zero}, zero, hn::Lt(zero, zero)};
   slide_broken_share(s, shear, pressure, p, out);
 
   // Eqs. (D2), (D3)
@@ -132,7 +136,8 @@ HWY_INLINE Outcome update_points(State& s, Real normal, Real shear, const Law& p
   const Real excess = Sub(hn::Abs(trial), yield);
   const Lanes yields = hn::Gt(excess, zero);
   Real slipped = zero;
-  if (any(yields)) {
+  out.yields = any(yields);
+  if (out.yields) {
     s.hardening = IfThenElse(yields, Add(s.hardening, hn::Div(excess, strength)), s.hardening);
     shear_secant = secant_factor(s.hardening, one);
     const Real held = hn::CopySign(Mul(Mul(strength, s.hardening), shear_secant), trial);
@@ -152,7 +157,8 @@ HWY_INLINE Outcome update_points(State& s, Real normal, Real shear, const Law& p
     kappa = IfThenElse(open, hn::Sqrt(Add(kappa_n2, Mul(s.hardening, s.hardening))), kappa);
   }
   const Lanes softens = hn::Gt(kappa, one);
-  if (any(softens)) {
+  out.softens = any(softens);
+  if (out.softens) {
     const Real beyond = Sub(kappa, one), range = Mul(p.range, hn::Div(kappa_n2, Mul(kappa, kappa)));
     const Real present = IfThenElse(hn::Ge(beyond, range), one, hn::Div(beyond, range));
     s.damage = Max(s.damage, IfThenElseZero(softens, present));
@@ -165,6 +171,7 @@ HWY_INLINE Outcome update_points(State& s, Real normal, Real shear, const Law& p
     g_s = IfThenElse(open, hn::Div(mixed, shear_secant), g_s);
   }
   const Real g_n = Min(s.integrity_n, factor);
+  out.weakens = any(hn::Lt(g_n, s.integrity_n));
   if (any_open) {
     const Real released = Mul(Mul(Max(zero, s.normal), opening), Sub(s.integrity_n, g_n));
     s.fracture_energy = Add(s.fracture_energy, Mul(p.half_k_t, released));
@@ -205,22 +212,44 @@ HWY_INLINE State load_state(const PackedPoints& b, std::size_t q, std::size_t la
           row(b.integrity_s), row(b.friction), row(b.damage), row(b.fracture_energy)};
 }
 
-HWY_INLINE void store_state(const State& s, PackedPoints& b, std::size_t q, std::size_t lane) {
+HWY_INLINE void store_state(const State& s, const Outcome& out, PackedPoints& b, std::size_t q, std::size_t lane) {
   const auto row = [&](Real value, PackedPoints::Rows& rows) { hn::Store(value, kDoubles, rows[q].data() + lane); };
   row(s.normal, b.normal);
   row(s.shear, b.shear);
-  row(s.slip, b.slip);
-  row(s.hardening, b.hardening);
-  row(s.integrity_n, b.integrity_n);
-  row(s.integrity_s, b.integrity_s);
-  row(s.friction, b.friction);
-  row(s.damage, b.damage);
-  row(s.fracture_energy, b.fracture_energy);
+  if (out.yields) {
+    row(s.slip, b.slip);
+    row(s.hardening, b.hardening);
+  }
+  if (out.weakens) row(s.integrity_n, b.integrity_n);
+  if (out.rubs) {
+    row(s.integrity_s, b.integrity_s);
+    row(s.friction, b.friction);
+  }
+  if (out.softens) row(s.damage, b.damage);
+  if (out.yields || out.weakens || out.rubs) row(s.fracture_energy, b.fracture_energy);
 }
+
+/// Blocks ahead that are fetched while one is worked on: a large model's step otherwise waits for memory.
+constexpr std::size_t kAhead = 2;
+
+/// Memory and slots of a block that comes later. They are fetched a few lines at a time: all at once would take every
+/// place that waits for memory.
+struct Later {
+  const char *rows, *slots;
+  Later(const BondedContacts& contacts, std::size_t first, std::span<const Vec2> forces) {
+    const std::size_t block = std::min(first / kPacked + kAhead, contacts.memory.packed.size() - 1);
+    rows = reinterpret_cast<const char*>(&contacts.memory.packed[block]);
+    slots = reinterpret_cast<const char*>(&forces[2 * contact_slot(block * kPacked, 0)]);
+  }
+  HWY_INLINE static void fetch(const char* lines, std::size_t from, std::size_t to) {
+    constexpr std::size_t kLine = 64;
+    for (std::size_t line = from; line < to; ++line) __builtin_prefetch(lines + line * kLine, 1, 2);
+  }
+};
 
 /// Lanes of unbroken contacts, of which a point breaks now, one bit each.
 HWY_INLINE unsigned update_batch(PackedPoints& block, std::size_t lane, const Batch& batch, const Vec2* position,
-                                 const Law& law, double* forces) {
+                                 const Law& law, const Later& later, double* forces) {
   const Points l1 = node_positions<&ContactEdge::left1>(batch, position);
   const Points l2 = node_positions<&ContactEdge::left2>(batch, position);
   const Points r1 = node_positions<&ContactEdge::right1>(batch, position);
@@ -233,11 +262,14 @@ HWY_INLINE unsigned update_batch(PackedPoints& block, std::size_t lane, const Ba
   const Real near = set(kNearGauss), far = set(kFarGauss);
 
   State s0 = load_state(block, 0, lane), s1 = load_state(block, 1, lane);
+  Later::fetch(later.rows, 0, 6);
   const Points at0 = near * gap1 + far * gap2, at1 = far * gap1 + near * gap2;
   const Outcome o0 = update_points(s0, dot(at0, normal), dot(at0, tangent), law);
+  Later::fetch(later.rows, 6, 12);
   const Outcome o1 = update_points(s1, dot(at1, normal), dot(at1, tangent), law);
-  store_state(s0, block, 0, lane);
-  store_state(s1, block, 1, lane);
+  Later::fetch(later.rows, 12, 18);
+  store_state(s0, o0, block, 0, lane);
+  store_state(s1, o1, block, 1, lane);
   const Real spent = Add(o0.friction_energy, o1.friction_energy);
   double* friction_energy = block.friction_energy.data() + lane;
   if (any(hn::Gt(spent, Zero(kDoubles)))) {
@@ -250,6 +282,7 @@ HWY_INLINE unsigned update_batch(PackedPoints& block, std::size_t lane, const Ba
   };
   const Real area = Mul(set(0.5), lengths(batch));
   const Real couple = Mul(Mul(Mul(set(0.5), area), Add(moment(o0, s0), moment(o1, s1))), inverse_length);
+  Later::fetch(later.slots, 0, 16);
   const auto end_force = [&](Real w0, Real w1) {
     const Real n = Add(Mul(w0, o0.traction.n), Mul(w1, o1.traction.n));
     const Real t = Add(Mul(w0, o0.traction.s), Mul(w1, o1.traction.s));
@@ -283,10 +316,11 @@ unsigned update_whole_edges(BondedContacts& contacts, std::size_t first, std::si
   for (std::size_t lane = 0; broken >> lane; ++lane) kept[lane] = contacts.memory.load(first + lane);
   PackedPoints& block = contacts.memory.packed[first / kPacked];
   double* forces = &pass.forces[2 * contact_slot(first, 0)].x;
+  const Later later(contacts, first, pass.forces);
   unsigned breaks = 0;
   for (std::size_t lane = 0; lane < count; lane += kLanes) {
     const Batch batch{&contacts.edges[first + lane], std::min(kLanes, count - lane)};
-    breaks |= update_batch(block, lane, batch, pass.position->data(), law, forces) << lane;
+    breaks |= update_batch(block, lane, batch, pass.position->data(), law, later, forces) << lane;
   }
   for (std::size_t lane = 0; broken >> lane; ++lane) {
     if (broken >> lane & 1) contacts.memory.store(first + lane, kept[lane]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 
 #include "core/base/random.hpp"
 #include "core/experiment/model.hpp"
@@ -10,7 +11,7 @@
 namespace asperity {
 namespace {
 
-constexpr int kBatches = 7;
+constexpr int kBatches = 9;
 constexpr double kBatchSeconds = 0.08;
 constexpr int kWarmUp = 10;
 
@@ -111,37 +112,65 @@ System benchmark_system(int triangles) {
   return system;
 }
 
-StepCost measure_step(const System& system, const ParallelLoops& loops) {
-  System fast = system, reference = system;
-  const bool compare = loops.threads() == 1;
-  reference.kernel = Kernel::reference;
-  if (compare) prepare(reference);
-  const int fast_steps = steps_in_batch(fast, loops);
-  const int reference_steps = compare ? steps_in_batch(reference, loops) : 0;
+namespace {
+
+/// One kernel on one number of threads: its own copy of the system, and the best batch so far.
+struct Contestant {
+  System system;
+  const ParallelLoops& loops;
+  int steps = 0;
   PassSeconds best{1e300, 1e300};
-  double best_reference = 1e300;
-  for (int batch = 0; batch < kBatches; ++batch) {
-    if (compare) best_reference = std::min(best_reference, time_steps(reference, loops, reference_steps).sum());
-    const PassSeconds now = time_steps(fast, loops, fast_steps);
+
+  Contestant(const System& model, const ParallelLoops& threads, Kernel kernel) : system(model), loops(threads) {
+    system.kernel = kernel;
+    prepare(system);
+    steps = steps_in_batch(system, loops);
+  }
+
+  void run_batch() {
+    const PassSeconds now = time_steps(system, loops, steps);
     if (now.sum() < best.sum()) best = now;
   }
-  const auto n = static_cast<double>(system.particles.triangle_count());
-  const auto edges = static_cast<double>(system.contacts.size());
+};
+
+StepCost cost_of(const Contestant& fast) {
+  const auto n = static_cast<double>(fast.system.particles.triangle_count());
+  const auto edges = static_cast<double>(fast.system.contacts.size());
   StepCost cost;
-  cost.triangles = system.particles.triangle_count();
-  cost.contact_points = 2 * system.contacts.size();
-  cost.threads = loops.threads();
-  if (compare) cost.reference_ns = 1e9 * best_reference / n;
-  cost.fast_ns = 1e9 * best.sum() / n;
-  cost.fast_contact_ns = 1e9 * best.forces / (2.0 * edges);
-  cost.fast_motion_ns = 1e9 * best.motion / n;
-  cost.bytes_per_triangle = static_cast<double>(memory_of(fast)) / n;
+  cost.triangles = fast.system.particles.triangle_count();
+  cost.contact_points = 2 * fast.system.contacts.size();
+  cost.threads = fast.loops.threads();
+  cost.fast_ns = 1e9 * fast.best.sum() / n;
+  cost.fast_contact_ns = 1e9 * fast.best.forces / (2.0 * edges);
+  cost.fast_motion_ns = 1e9 * fast.best.motion / n;
+  cost.bytes_per_triangle = static_cast<double>(memory_of(fast.system)) / n;
   cost.flops_per_triangle = kTriangleFlops + kEdgeFlops * edges / n;
   cost.traffic_per_triangle = kTriangleTraffic + kEdgeTraffic * edges / n;
-  const MachinePeak peak = measure_machine_peak(loops, memory_of(fast));
-  cost.peak = peak;
-  cost.bound_ns = 1e9 * std::max(cost.flops_per_triangle / peak.flops, cost.traffic_per_triangle / peak.bandwidth);
+  cost.peak = measure_machine_peak(fast.loops, memory_of(fast.system));
+  cost.bound_ns =
+      1e9 * std::max(cost.flops_per_triangle / cost.peak.flops, cost.traffic_per_triangle / cost.peak.bandwidth);
   return cost;
+}
+
+}  // namespace
+
+std::vector<StepCost> measure_step(const System& system, const std::vector<int>& thread_counts) {
+  std::vector<std::unique_ptr<ParallelLoops>> loops;
+  for (int threads : thread_counts) loops.push_back(std::make_unique<ParallelLoops>(threads));
+  const ParallelLoops one;
+  std::vector<std::unique_ptr<Contestant>> contestants;
+  contestants.push_back(std::make_unique<Contestant>(system, one, Kernel::reference));
+  for (const auto& threads : loops) contestants.push_back(std::make_unique<Contestant>(system, *threads, Kernel::fast));
+  for (int batch = 0; batch < kBatches; ++batch) {
+    for (const auto& contestant : contestants) contestant->run_batch();
+  }
+  const double triangles = static_cast<double>(system.particles.triangle_count());
+  std::vector<StepCost> costs;
+  for (std::size_t i = 1; i < contestants.size(); ++i) {
+    costs.push_back(cost_of(*contestants[i]));
+    if (costs.back().threads == 1) costs.back().reference_ns = 1e9 * contestants[0]->best.sum() / triangles;
+  }
+  return costs;
 }
 
 }  // namespace asperity

@@ -32,7 +32,8 @@ std::size_t memory_of(const System& system);
 /// so that every contact is loaded and most harden, none broken.
 System benchmark_system(int triangles);
 
-/// Times both kernels in turns on copies of one system; the reference alone takes one thread.
-StepCost measure_step(const System& system, const ParallelLoops& loops);
+/// Times the reference on one thread and the fast kernel on each number of threads, batch by batch in turns, each on
+/// its own copy of the system.
+std::vector<StepCost> measure_step(const System& system, const std::vector<int>& thread_counts);
 
 }  // namespace asperity
