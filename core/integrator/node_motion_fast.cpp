@@ -39,7 +39,7 @@ HWY_INLINE Real shape_row(const PackedShapes::Row& row, const Batch& batch) {
 
 using Corners = std::array<Points, 3>;
 
-/// Eqs. (P2)-(P4), operation by operation as biot_state() and corner_forces() do.
+/// biot_state() and corner_forces() of core/particles, operation by operation.
 HWY_INLINE Corners elastic_forces(const PackedShapes& shape, const Batch& batch, const Corners& x,
                                   const ElasticConstants& c) {
   const Points p = x[1] - x[0], q = x[2] - x[0];
