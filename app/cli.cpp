@@ -131,7 +131,7 @@ void add_acceleration(CLI::App& cli, Action& action) {
   command->add_option("--json", options->json, "Writes every run's figures to this file");
   command->footer(
       "Exits 6 where a mean peak lies more than 2 % off the reference's.\nExamples:\n  asperity acceleration\n"
-      "  asperity acceleration configs/acceleration/uniaxial.json --seeds 5 --json outputs/acceleration.json");
+      "  asperity acceleration configs/acceleration/coarse_uniaxial.json --seeds 5 --json outputs/acceleration.json");
   command->callback([=, &action] { action = [=] { return acceleration_command(*options); }; });
 }
 

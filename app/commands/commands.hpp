@@ -66,8 +66,9 @@ struct BenchOptions {
 int bench_command(const BenchOptions& options);
 
 struct AccelerationOptions {
-  std::vector<std::filesystem::path> configs{"configs/acceleration/uniaxial.json", "configs/acceleration/triaxial.json",
-                                             "configs/acceleration/brazilian.json"};
+  std::vector<std::filesystem::path> configs{"configs/acceleration/coarse_uniaxial.json",
+                                             "configs/acceleration/coarse_triaxial.json",
+                                             "configs/acceleration/coarse_brazilian.json"};
   int seeds = 3;
   double reference_rate_factor = 0.25;  ///< Closing rate of the reference over the configuration's.
   std::optional<std::filesystem::path> json;
