@@ -17,7 +17,8 @@ RUN = ["run", TINY, *SHORT, "--no-render", "--quiet"]
 # Pieces so soft that they are pressed through one another once the disc is crushed.
 SOFT = settings(contacts__general__fracture__normal_stiffness_mpa_per_mm=0.1,
                 contacts__general__outline__normal_stiffness_mpa_per_mm=0.1, experiment__stop__axial_strain=0.2,
-                experiment__loading__closing_rate_mm_per_s=3000, output__checkpoint_interval_s=0.02)
+                experiment__loading__closing_rate_mm_per_s=3000, output__checkpoint_interval_s=0.02,
+                integration__guard_interval_steps=1)  # or the clock, by its checkpoints, decides in which step it shows
 
 
 @contextlib.contextmanager
