@@ -309,11 +309,9 @@ edge_update::Breakage breakage_of(const BondedContacts& contacts, std::size_t c)
   return breakage;
 }
 
-/// Eight contacts with the vector kernel; broken ones among them keep their memory.
-unsigned update_whole_edges(BondedContacts& contacts, std::size_t first, std::size_t count, unsigned broken,
-                            const ContactPass& pass, const Law& law) {
-  std::array<std::array<PointState, 2>, kPacked> kept;
-  for (std::size_t lane = 0; broken >> lane; ++lane) kept[lane] = contacts.memory.load(first + lane);
+/// Eight contacts with the vector kernel; the lanes of unbroken contacts of which a point breaks now, one bit each.
+HWY_INLINE unsigned update_packed(BondedContacts& contacts, std::size_t first, std::size_t count,
+                                  const ContactPass& pass, const Law& law) {
   PackedPoints& block = contacts.memory.packed[first / kPacked];
   double* forces = &pass.forces[2 * contact_slot(first, 0)].x;
   const Later later(contacts, first, pass.forces);
@@ -322,6 +320,15 @@ unsigned update_whole_edges(BondedContacts& contacts, std::size_t first, std::si
     const Batch batch{&contacts.edges[first + lane], std::min(kLanes, count - lane)};
     breaks |= update_batch(block, lane, batch, pass.position->data(), law, later, forces) << lane;
   }
+  return breaks;
+}
+
+/// The same where some, given by their bits, are broken and keep their memory.
+unsigned update_packed_but(unsigned broken, BondedContacts& contacts, std::size_t first, std::size_t count,
+                           const ContactPass& pass, const Law& law) {
+  std::array<std::array<PointState, 2>, kPacked> kept;
+  for (std::size_t lane = 0; broken >> lane; ++lane) kept[lane] = contacts.memory.load(first + lane);
+  const unsigned breaks = update_packed(contacts, first, count, pass, law);
   for (std::size_t lane = 0; broken >> lane; ++lane) {
     if (broken >> lane & 1) contacts.memory.store(first + lane, kept[lane]);
   }
@@ -341,7 +348,12 @@ void update_block(BondedContacts& contacts, std::size_t first, const ContactPass
   for (std::size_t lane = 0; lane < count; ++lane) {
     broken |= static_cast<unsigned>(contacts.broken_index[first + lane] >= 0) << lane;
   }
-  const unsigned breaks = broken == all ? 0 : all & update_whole_edges(contacts, first, count, broken, pass, law);
+  unsigned breaks = 0;
+  if (broken == 0) {
+    breaks = all & update_packed(contacts, first, count, pass, law);
+  } else if (broken != all) {
+    breaks = all & update_packed_but(broken, contacts, first, count, pass, law);
+  }
   for (std::size_t lane = 0; (broken | breaks) >> lane; ++lane) {
     const std::size_t c = first + lane;
     if (breaks >> lane & 1) changes.begun.push_back(breakage_of(contacts, c));
