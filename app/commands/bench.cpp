@@ -14,41 +14,49 @@
 namespace asperity::app {
 namespace {
 
+void add_passes(nlohmann::json& entry, const std::string& kernel, const PassCosts& costs) {
+  entry[kernel + "_ns_per_triangle_step"] = costs.triangle_ns;
+  entry[kernel + "_ns_per_contact_point"] = costs.contact_ns;
+  entry[kernel + "_motion_ns_per_triangle"] = costs.motion_ns;
+  entry[kernel + "_us_per_step"] = costs.step_us;
+}
+
 nlohmann::json to_json(const StepCost& c) {
   nlohmann::json entry{{"triangles", c.triangles},
                        {"contact_points", c.contact_points},
                        {"threads", c.threads},
-                       {"fast_ns_per_triangle_step", c.fast_ns},
-                       {"fast_ns_per_contact_point", c.fast_contact_ns},
-                       {"fast_motion_ns_per_triangle", c.fast_motion_ns},
-                       {"fast_us_per_step", 1e-3 * c.fast_ns * static_cast<double>(c.triangles)},
                        {"bytes_per_triangle", c.bytes_per_triangle},
                        {"flops_per_triangle_step", c.flops_per_triangle},
                        {"traffic_bytes_per_triangle_step", c.traffic_per_triangle},
                        {"peak_gflops", 1e-9 * c.peak.flops},
                        {"peak_gb_per_s", 1e-9 * c.peak.bandwidth},
                        {"bound_ns_per_triangle_step", c.bound_ns},
-                       {"fraction_of_bound", c.bound_ns / c.fast_ns}};
-  if (c.reference_ns > 0.0) entry["reference_ns_per_triangle_step"] = c.reference_ns;
+                       {"fraction_of_bound", c.bound_ns / c.fast.triangle_ns}};
+  add_passes(entry, "fast", c.fast);
+  if (c.reference) add_passes(entry, "reference", *c.reference);
   return entry;
 }
 
 void print_head() {
-  fmt::print("{:>9} {:>7} {:>10} {:>8} {:>6} {:>11} {:>9} {:>10} {:>7} {:>7} {:>6} {:>8} {:>9}\n", "triangles",
-             "threads", "reference", "fast", "ratio", "contact pt", "motion", "step", "memory", "peak", "peak", "bound",
-             "fraction");
-  fmt::print("{:>9} {:>7} {:>10} {:>8} {:>6} {:>11} {:>9} {:>10} {:>7} {:>7} {:>6} {:>8} {:>9}\n", "", "", "ns/tri",
-             "ns/tri", "", "ns", "ns/tri", "us", "B/tri", "Gflop/s", "GB/s", "ns/tri", "");
+  fmt::print("{:>9} {:>7}  {:<9} {:>8} {:>6} {:>10} {:>8} {:>10} {:>7} {:>8} {:>6} {:>7} {:>8}\n", "triangles",
+             "threads", "kernel", "step", "ratio", "contact pt", "motion", "step", "memory", "peak", "peak", "bound",
+             "reached");
+  fmt::print("{:>9} {:>7}  {:<9} {:>8} {:>6} {:>10} {:>8} {:>10} {:>7} {:>8} {:>6} {:>7} {:>8}\n", "", "", "", "ns/tri",
+             "", "ns", "ns/tri", "us", "B/tri", "Gflop/s", "GB/s", "ns/tri", "");
 }
 
-void print_row(const StepCost& c) {
-  const bool compared = c.reference_ns > 0.0;
-  fmt::print(
-      "{:>9} {:>7} {:>10} {:>8.1f} {:>6} {:>11.2f} {:>9.1f} {:>10.1f} {:>7.0f} {:>7.1f} {:>6.1f} {:>8.1f} {:>9.2f}\n",
-      c.triangles, c.threads, compared ? fmt::format("{:.1f}", c.reference_ns) : "", c.fast_ns,
-      compared ? fmt::format("{:.2f}", c.reference_ns / c.fast_ns) : "", c.fast_contact_ns, c.fast_motion_ns,
-      1e-3 * c.fast_ns * static_cast<double>(c.triangles), c.bytes_per_triangle, 1e-9 * c.peak.flops,
-      1e-9 * c.peak.bandwidth, c.bound_ns, c.bound_ns / c.fast_ns);
+void print_row(const StepCost& c, const std::string& kernel) {
+  const auto passes = [&](const std::string& name, const PassCosts& p, const std::string& ratio) {
+    fmt::print("{:>9} {:>7}  {:<9} {:>8.1f} {:>6} {:>10.2f} {:>8.1f} {:>10.1f}", c.triangles, c.threads, name,
+               p.triangle_ns, ratio, p.contact_ns, p.motion_ns, p.step_us);
+  };
+  if (c.reference) {
+    passes("reference", *c.reference, "");
+    fmt::print("\n");
+  }
+  passes(kernel, c.fast, c.reference ? fmt::format("{:.2f}", c.reference->triangle_ns / c.fast.triangle_ns) : "");
+  fmt::print(" {:>7.0f} {:>8.1f} {:>6.1f} {:>7.1f} {:>8.2f}\n", c.bytes_per_triangle, 1e-9 * c.peak.flops,
+             1e-9 * c.peak.bandwidth, c.bound_ns, c.bound_ns / c.fast.triangle_ns);
   std::cout.flush();
 }
 
@@ -58,10 +66,9 @@ nlohmann::json other_instruction_sets(const System& system) {
   for (const InstructionSet& set : instruction_sets()) {
     const ForcedInstructionSet forced(set);
     const StepCost cost = measure_step(system, {1}).front();
-    entries.push_back({{"simd", set.name}, {"ratio", cost.reference_ns / cost.fast_ns}});
+    entries.push_back({{"simd", set.name}, {"ratio", cost.reference->triangle_ns / cost.fast.triangle_ns}});
     entries.back().update(to_json(cost));
-    fmt::print("{:>9} {} threads 1: {:.1f} ns/tri, {:.2f} times the reference\n", cost.triangles, set.name,
-               cost.fast_ns, cost.reference_ns / cost.fast_ns);
+    print_row(cost, set.name);
   }
   return entries;
 }
@@ -85,7 +92,7 @@ int bench_command(const BenchOptions& options) {
     const System system = benchmark_system(triangles);
     for (const StepCost& cost : measure_step(system, thread_counts)) {
       report["sizes"].push_back(to_json(cost));
-      print_row(cost);
+      print_row(cost, "fast");
     }
     if (triangles == sizes.front()) others = other_instruction_sets(system);
   }

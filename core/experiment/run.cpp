@@ -107,23 +107,16 @@ void sample_and_frame(Model& model, RunState& state, const ParallelLoops& loops,
   }
 }
 
-bool rate_due(const Model& model, const RunState& state) {
-  return rate_controlled(model) && state.loading.phase == LoadingPhase::moving &&
-         model.system.step % kRateInterval == 0;
-}
-
-bool kinetic_ratio_due(const Model& model, const RunState& state) {
-  return (staged(model) || state.loading.phase == LoadingPhase::confining) && model.system.step % kEnergyInterval == 0;
-}
-
-/// Whether the loading looks at the energies of this step.
-bool watch_due(const Model& model, const RunState& state) {
-  return rate_due(model, state) || kinetic_ratio_due(model, state);
-}
-
+/// What the loading must know of the energies of this step.
 void watch(Model& model, RunState& state, const ParallelLoops& loops) {
-  if (kinetic_ratio_due(model, state)) state.kinetic_ratio = kinetic_ratio(energy_balance(model.system, loops));
-  if (rate_due(model, state)) choose_growth(model, state.loading.rate_control, loops);
+  const bool moving = state.loading.phase == LoadingPhase::moving;
+  const bool settling = staged(model) || state.loading.phase == LoadingPhase::confining;
+  if (settling && model.system.step % kEnergyInterval == 0) {
+    state.kinetic_ratio = kinetic_ratio(energy_balance(model.system, loops));
+  }
+  if (moving && rate_controlled(model) && model.system.step % kRateInterval == 0) {
+    choose_growth(model, state.loading.rate_control, loops);
+  }
 }
 
 /// The equilibria of an elastic start, each a row of its own.
@@ -172,19 +165,14 @@ void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, c
     compute_forces(system, loops);
     drive(model, state.loading, state.kinetic_ratio);
     const bool confining = state.loading.phase == LoadingPhase::confining;
-    if (!confining) ++state.steps_in_sample;  // the first sample shows the end of the hydrostatic stage
-    const bool sampled = sample_due(model, state, interval), watched = watch_due(model, state);
-    if (sampled || watched) {
-      update_velocities(system, loops);
-    } else {
-      update_motion(system, loops);
-    }
-    if (!confining) {
+    update_velocities(system, loops);
+    if (!confining) {  // the first sample shows the end of the hydrostatic stage
+      ++state.steps_in_sample;
       for (int i = 0; i < 2; ++i) state.reaction_sum.reaction[i] += system.sums.reaction[i];
     }
-    if (watched) watch(model, state, loops);
-    if (sampled) sample_and_frame(model, state, loops, observer);
-    if (sampled || watched) update_positions(system, loops);
+    watch(model, state, loops);
+    if (sample_due(model, state, interval)) sample_and_frame(model, state, loops, observer);
+    update_positions(system, loops);
     end_step(model, state, loops, observer);
   }
 }

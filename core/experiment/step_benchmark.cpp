@@ -26,12 +26,13 @@ constexpr double kAxial = -0.006, kLateral = 0.0015, kShake = 0.25;
 constexpr double kEdgeFlops = 44 + 53 + 2 * (15 + 76 + 50 + 34 + 12);
 constexpr double kTriangleFlops = 76 + 12 + 6 + 3 * 49;
 
-/// Bytes: an edge reads its description and memory (friction energy apart) and writes the memory but for friction and
-/// damage, and its two slots twice over (the line is fetched first); a triangle reads positions in both passes, slots,
-/// their indices, shape and masses, and reads and writes velocities and positions.
+/// Bytes: an edge reads its description and memory (friction energy apart), writes what changes while it hardens and
+/// opens, and its two slots twice over (a line is fetched before it is written); a triangle reads positions for the
+/// contacts and for itself, slots, their indices, shape and masses, reads and writes velocities, reads them again for
+/// the positions, which it reads and writes.
 constexpr double kPointRows = 9, kWrittenRows = 7;
 constexpr double kEdgeTraffic = sizeof(ContactEdge) + sizeof(int) + 2 * 8 * (kPointRows + kWrittenRows) + 2 * 64;
-constexpr double kTriangleTraffic = 48 + 96 + 12 + 40 + 24 + 2 * 48 + 2 * 48;
+constexpr double kTriangleTraffic = 2 * 48 + 96 + 12 + 40 + 24 + 2 * 48 + 48 + 2 * 48;
 
 class Stopwatch {
  public:
@@ -53,7 +54,8 @@ PassSeconds time_steps(System& system, const ParallelLoops& loops, int steps) {
     compute_forces(system, loops);
     sum.forces += forces.seconds();
     const Stopwatch motion;
-    update_motion(system, loops);
+    update_velocities(system, loops);
+    update_positions(system, loops);
     sum.motion += motion.seconds();
   }
   sum.forces /= steps;
@@ -133,6 +135,12 @@ struct Contestant {
   }
 };
 
+PassCosts pass_costs(const Contestant& c) {
+  const auto n = static_cast<double>(c.system.particles.triangle_count());
+  const auto points = 2.0 * static_cast<double>(c.system.contacts.size());
+  return {1e9 * c.best.sum() / n, 1e9 * c.best.forces / points, 1e9 * c.best.motion / n, 1e6 * c.best.sum()};
+}
+
 StepCost cost_of(const Contestant& fast) {
   const auto n = static_cast<double>(fast.system.particles.triangle_count());
   const auto edges = static_cast<double>(fast.system.contacts.size());
@@ -140,9 +148,7 @@ StepCost cost_of(const Contestant& fast) {
   cost.triangles = fast.system.particles.triangle_count();
   cost.contact_points = 2 * fast.system.contacts.size();
   cost.threads = fast.loops.threads();
-  cost.fast_ns = 1e9 * fast.best.sum() / n;
-  cost.fast_contact_ns = 1e9 * fast.best.forces / (2.0 * edges);
-  cost.fast_motion_ns = 1e9 * fast.best.motion / n;
+  cost.fast = pass_costs(fast);
   cost.bytes_per_triangle = static_cast<double>(memory_of(fast.system)) / n;
   cost.flops_per_triangle = kTriangleFlops + kEdgeFlops * edges / n;
   cost.traffic_per_triangle = kTriangleTraffic + kEdgeTraffic * edges / n;
@@ -164,11 +170,10 @@ std::vector<StepCost> measure_step(const System& system, const std::vector<int>&
   for (int batch = 0; batch < kBatches; ++batch) {
     for (const auto& contestant : contestants) contestant->run_batch();
   }
-  const double triangles = static_cast<double>(system.particles.triangle_count());
   std::vector<StepCost> costs;
   for (std::size_t i = 1; i < contestants.size(); ++i) {
     costs.push_back(cost_of(*contestants[i]));
-    if (costs.back().threads == 1) costs.back().reference_ns = 1e9 * contestants[0]->best.sum() / triangles;
+    if (costs.back().threads == 1) costs.back().reference = pass_costs(*contestants[0]);
   }
   return costs;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "core/base/machine_peak.hpp"
@@ -9,14 +10,20 @@
 /// core/integrator/README.md.
 namespace asperity {
 
+/// What the best batch took, ns or µs.
+struct PassCosts {
+  double triangle_ns = 0;  ///< The whole step, a triangle.
+  double contact_ns = 0;   ///< Forces, a contact point. The reference computes the triangles' here too.
+  double motion_ns = 0;    ///< Velocities and positions, with the triangles' forces in the fast kernel; a triangle.
+  double step_us = 0;      ///< The whole step.
+};
+
 /// One mesh with one number of threads.
 struct StepCost {
   std::size_t triangles = 0, contact_points = 0;
   int threads = 1;
-  double reference_ns = 0;        ///< A triangle and step, best of the batches; 0: not measured (several threads).
-  double fast_ns = 0;             ///< The same of the fast kernel.
-  double fast_contact_ns = 0;     ///< Of that, forces: a contact point and step.
-  double fast_motion_ns = 0;      ///< And triangles and nodes: a triangle and step.
+  std::optional<PassCosts> reference;  ///< On one thread only.
+  PassCosts fast;
   double bytes_per_triangle = 0;  ///< Everything the model keeps for stepping with the fast kernel.
   double flops_per_triangle = 0;  ///< Operations a triangle and step, counted.
   double traffic_per_triangle =

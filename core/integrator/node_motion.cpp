@@ -93,24 +93,17 @@ void move_node(System& system, std::size_t node, Vec2 internal, NodeSums& sums) 
 
 }  // namespace
 
-NodeSums move_nodes_reference(System& system, std::size_t begin, std::size_t end, bool advance) {
-  Particles& p = system.particles;
+NodeSums move_nodes_reference(System& system, std::size_t begin, std::size_t end) {
   NodeSums sums;
   for (std::size_t node = begin; node < end; ++node) {
     move_node(system, node, gather_force(system, node, system.forces), sums);
-    if (advance) p.position[node] += system.time_step * p.velocity[node];
   }
   return sums;
 }
 
-void move_triangle_reference(System& system, std::size_t triangle, const std::array<Vec2, 3>& internal, bool advance,
+void move_triangle_reference(System& system, std::size_t triangle, const std::array<Vec2, 3>& internal,
                              NodeSums& sums) {
-  Particles& p = system.particles;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t node = 3 * triangle + k;
-    move_node(system, node, internal[k], sums);
-    if (advance) p.position[node] += system.time_step * p.velocity[node];
-  }
+  for (std::size_t k = 0; k < 3; ++k) move_node(system, 3 * triangle + k, internal[k], sums);
 }
 
 }  // namespace asperity

@@ -8,17 +8,15 @@ namespace asperity {
 bool corners_written(const System& system);
 
 /// Velocities of nodes [begin, end) half a step ahead under the forces that each gathers, Eqs. (I1)-(I6), one after the
-/// other; with `advance`, positions go one step ahead too.
-NodeSums move_nodes_reference(System& system, std::size_t begin, std::size_t end, bool advance);
+/// other.
+NodeSums move_nodes_reference(System& system, std::size_t begin, std::size_t end);
 
 /// The same for the nodes of one triangle, which are its own, under given forces of triangle and contacts (N per mm of
 /// thickness).
-void move_triangle_reference(System& system, std::size_t triangle, const std::array<Vec2, 3>& internal, bool advance,
-                             NodeSums& sums);
+void move_triangle_reference(System& system, std::size_t triangle, const std::array<Vec2, 3>& internal, NodeSums& sums);
 
 /// Forces and velocities of all nodes of triangles [begin, end), whose nodes are their own; begin is a multiple of 8.
-/// With `advance`, positions go one step ahead too.
-NodeSums move_triangles_fast(System& system, std::size_t begin, std::size_t end, bool advance);
+NodeSums move_triangles_fast(System& system, std::size_t begin, std::size_t end);
 
 /// Forces of triangles [begin, end) on their corners, written behind the slots.
 void compute_corner_forces(System& system, std::size_t begin, std::size_t end);

@@ -5,7 +5,6 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "core/base/simd_points.inl.hpp"
 #include "core/integrator/node_motion.hpp"
@@ -28,7 +27,25 @@ struct Batch {
   std::size_t triangle(std::size_t lane) const { return first + (lane < count ? lane : count - 1); }
 };
 
-HWY_INLINE Points load_corner(const std::vector<Vec2>& x, const Batch& batch, std::size_t k) {
+/// The system's arrays by their addresses: the compiler must take vectors for changed after every store of points.
+struct Arrays {
+  const Vec2 *position, *forces;
+  Vec2* velocity;
+  const double* mass;
+  const int* slot_of_edge;
+  const PackedShapes* shapes;
+  ElasticConstants elastic;
+  explicit Arrays(System& s)
+      : position(s.particles.position.data()),
+        forces(s.forces.data()),
+        velocity(s.particles.velocity.data()),
+        mass(s.particles.mass.data()),
+        slot_of_edge(s.contacts.slot_of_edge.data()),
+        shapes(s.particles.shapes.data()),
+        elastic(s.particles.elastic) {}
+};
+
+HWY_INLINE Points load_corner(const Vec2* x, const Batch& batch, std::size_t k) {
   return load_points([&](std::size_t lane) { return &x[3 * batch.triangle(lane) + k].x; });
 }
 
@@ -68,14 +85,13 @@ HWY_INLINE Corners elastic_forces(const PackedShapes& shape, const Batch& batch,
 }
 
 /// Forces in the slots of the triangles' edges k, on their first or second ends.
-HWY_INLINE Points slot_forces(const System& system, const Batch& batch, std::size_t k, std::size_t end) {
-  return load_points([&](std::size_t lane) {
-    return &system.forces[2 * system.contacts.slot_of_edge[3 * batch.triangle(lane) + k] + end].x;
-  });
+HWY_INLINE Points slot_forces(const Arrays& a, const Batch& batch, std::size_t k, std::size_t end) {
+  return load_points(
+      [&](std::size_t lane) { return &a.forces[2 * a.slot_of_edge[3 * batch.triangle(lane) + k] + end].x; });
 }
 
 /// Masses of the three corners.
-HWY_INLINE std::array<Real, 3> load_masses(const std::vector<double>& mass, const Batch& batch) {
+HWY_INLINE std::array<Real, 3> load_masses(const double* mass, const Batch& batch) {
   std::array<Real, 3> m;
   if (HWY_LIKELY(batch.count == kLanes)) {
     hn::LoadInterleaved3(kDoubles, &mass[3 * batch.first], m[0], m[1], m[2]);
@@ -180,8 +196,7 @@ unsigned special_lanes(const System& system, const Batch& batch, const Corners& 
 }
 
 /// Writes a corner's points of the lanes in `bits` back.
-HWY_INLINE void store_corner(const Points& points, std::vector<Vec2>& x, const Batch& batch, std::size_t k,
-                             unsigned bits) {
+HWY_INLINE void store_corner(const Points& points, Vec2* x, const Batch& batch, std::size_t k, unsigned bits) {
   if (HWY_LIKELY(bits == kAllLanes)) {
     store_points(points, [&](std::size_t lane) { return &x[3 * (batch.first + lane) + k].x; });
     return;
@@ -194,47 +209,45 @@ HWY_INLINE void store_corner(const Points& points, std::vector<Vec2>& x, const B
 }
 
 /// The special lanes' triangles, node by node.
-void move_special(System& system, const Batch& batch, unsigned special, const Corners& force, bool advance,
-                  NodeSums& sums) {
+void move_special(System& system, const Batch& batch, unsigned special, const Corners& force, NodeSums& sums) {
   std::array<std::array<Vec2, 3>, kLanes> internal;
   for (std::size_t k = 0; k < 3; ++k) {
     store_points(force[k], [&](std::size_t lane) { return &internal[lane][k].x; });
   }
   for (std::size_t lane = 0; lane < batch.count; ++lane) {
-    if (special >> lane & 1) move_triangle_reference(system, batch.first + lane, internal[lane], advance, sums);
+    if (special >> lane & 1) move_triangle_reference(system, batch.first + lane, internal[lane], sums);
   }
 }
 
-HWY_INLINE void move_batch(System& system, const Batch& batch, const Step& step, bool advance, std::size_t& next_load,
-                           LaneSums& lane_sums, NodeSums& sums) {
-  Particles& p = system.particles;
-  const Corners x{load_corner(p.position, batch, 0), load_corner(p.position, batch, 1),
-                  load_corner(p.position, batch, 2)};
-  Corners force = elastic_forces(p.shapes[batch.first / kBlock], batch, x, p.elastic);
+HWY_INLINE void move_batch(System& system, const Arrays& arrays, const Batch& batch, const Step& step,
+                           std::size_t& next_load, LaneSums& lane_sums, NodeSums& sums) {
+  const Corners x{load_corner(arrays.position, batch, 0), load_corner(arrays.position, batch, 1),
+                  load_corner(arrays.position, batch, 2)};
+  Corners force = elastic_forces(arrays.shapes[batch.first / kBlock], batch, x, arrays.elastic);
   for (std::size_t k = 0; k < 3; ++k) {
-    force[k] = (force[k] + slot_forces(system, batch, k, 0)) + slot_forces(system, batch, (k + 2) % 3, 1);
+    force[k] = (force[k] + slot_forces(arrays, batch, k, 0)) + slot_forces(arrays, batch, (k + 2) % 3, 1);
   }
   const unsigned special = special_lanes(system, batch, x, next_load);
   const unsigned free = ((1u << batch.count) - 1) & ~special;
-  const std::array<Real, 3> mass = load_masses(p.mass, batch);
+  const std::array<Real, 3> mass = load_masses(arrays.mass, batch);
   Addends addends{hn::Zero(kDoubles), hn::Zero(kDoubles), hn::Zero(kDoubles)};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Points v = move_free_nodes(load_corner(p.velocity, batch, k), force[k], mass[k], step, addends);
-    store_corner(v, p.velocity, batch, k, free);
-    if (advance) store_corner(x[k] + step.dt * v, p.position, batch, k, free);
+    const Points before = load_corner(arrays.velocity, batch, k);
+    store_corner(move_free_nodes(before, force[k], mass[k], step, addends), arrays.velocity, batch, k, free);
   }
   add_lanes(addends, free, lane_sums, batch.first % kBlock);
-  if (special) move_special(system, batch, special, force, advance, sums);
+  if (special) move_special(system, batch, special, force, sums);
 }
 
-NodeSums move_triangles(System& system, std::size_t begin, std::size_t end, bool advance) {
+NodeSums move_triangles(System& system, std::size_t begin, std::size_t end) {
   const Step step(system);
+  const Arrays arrays(system);
   const std::vector<int>& loaded = system.loads.nodes;
   std::size_t next_load = std::lower_bound(loaded.begin(), loaded.end(), static_cast<int>(3 * begin)) - loaded.begin();
   LaneSums lanes;
   NodeSums sums;
   for (std::size_t first = begin; first < end; first += kLanes) {
-    move_batch(system, {first, std::min(kLanes, end - first)}, step, advance, next_load, lanes, sums);
+    move_batch(system, arrays, {first, std::min(kLanes, end - first)}, step, next_load, lanes, sums);
   }
   for (std::size_t lane = 0; lane < kBlock; ++lane) {
     sums.damping += lanes.damping[lane];
@@ -251,8 +264,8 @@ HWY_AFTER_NAMESPACE();
 namespace asperity {
 HWY_EXPORT(move_triangles);
 
-NodeSums move_triangles_fast(System& system, std::size_t begin, std::size_t end, bool advance) {
-  return HWY_DYNAMIC_DISPATCH(move_triangles)(system, begin, end, advance);
+NodeSums move_triangles_fast(System& system, std::size_t begin, std::size_t end) {
+  return HWY_DYNAMIC_DISPATCH(move_triangles)(system, begin, end);
 }
 }  // namespace asperity
 #endif

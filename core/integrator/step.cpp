@@ -17,37 +17,16 @@ double platen_work(const NodeSums& sums, const std::array<double, 2>& velocity, 
   return 0.5 * dt * (sums.reaction[0] * velocity[0] - sums.reaction[1] * velocity[1]);
 }
 
-/// All nodes' velocities, and with `advance` their positions, in blocks that any number of threads shares alike.
-NodeSums move_nodes(System& system, const ParallelLoops& loops, bool advance) {
+/// All nodes' velocities, in blocks that any number of threads shares alike.
+NodeSums move_nodes(System& system, const ParallelLoops& loops) {
   if (!corners_written(system)) {
     return loops.sum_blocks<NodeSums>(system.particles.triangle_count(), [&](std::size_t begin, std::size_t end) {
-      return move_triangles_fast(system, begin, end, advance);
+      return move_triangles_fast(system, begin, end);
     });
   }
   return loops.sum_blocks<NodeSums>(system.particles.node_count(), [&](std::size_t begin, std::size_t end) {
-    return move_nodes_reference(system, begin, end, advance);
+    return move_nodes_reference(system, begin, end);
   });
-}
-
-void update_nodes(System& system, const ParallelLoops& loops, bool advance) {
-  if (system.platens.friction > 0.0) system.platen_shear.resize(system.particles.node_count(), 0.0);
-  system.external_work +=
-      system.sums.work_after + platen_work(system.sums, system.platens.last_velocity, system.time_step);
-  system.damping_energy += 0.5 * system.sums.damping;
-  system.sums = move_nodes(system, loops, advance);
-  system.external_work +=
-      system.sums.work_before + platen_work(system.sums, system.platens.last_velocity, system.time_step);
-  system.damping_energy += 0.5 * system.sums.damping;
-  system.platen_friction_energy += system.sums.platen_friction;
-}
-
-void advance_platens_and_time(System& system) {
-  const double dt = system.time_step;
-  for (int i = 0; i < 2; ++i) system.platens.y[i] += dt * system.platens.velocity[i];
-  system.platens.last_velocity = system.platens.velocity;
-  system.general.travel += dt * std::sqrt(system.sums.fastest);
-  system.time += dt;
-  ++system.step;
 }
 
 }  // namespace
@@ -78,7 +57,17 @@ void compute_forces(System& system, const ParallelLoops& loops) {
   apply_flank_pressure(system);
 }
 
-void update_velocities(System& system, const ParallelLoops& loops) { update_nodes(system, loops, false); }
+void update_velocities(System& system, const ParallelLoops& loops) {
+  if (system.platens.friction > 0.0) system.platen_shear.resize(system.particles.node_count(), 0.0);
+  system.external_work +=
+      system.sums.work_after + platen_work(system.sums, system.platens.last_velocity, system.time_step);
+  system.damping_energy += 0.5 * system.sums.damping;
+  system.sums = move_nodes(system, loops);
+  system.external_work +=
+      system.sums.work_before + platen_work(system.sums, system.platens.last_velocity, system.time_step);
+  system.damping_energy += 0.5 * system.sums.damping;
+  system.platen_friction_energy += system.sums.platen_friction;
+}
 
 void update_positions(System& system, const ParallelLoops& loops) {
   Particles& p = system.particles;
@@ -86,12 +75,11 @@ void update_positions(System& system, const ParallelLoops& loops) {
   loops.for_blocks(p.node_count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node) p.position[node] += dt * p.velocity[node];
   });
-  advance_platens_and_time(system);
-}
-
-void update_motion(System& system, const ParallelLoops& loops) {
-  update_nodes(system, loops, true);
-  advance_platens_and_time(system);
+  for (int i = 0; i < 2; ++i) system.platens.y[i] += dt * system.platens.velocity[i];
+  system.platens.last_velocity = system.platens.velocity;
+  system.general.travel += dt * std::sqrt(system.sums.fastest);
+  system.time += dt;
+  ++system.step;
 }
 
 }  // namespace asperity

@@ -124,9 +124,6 @@ void update_velocities(System& system, const ParallelLoops& loops);
 /// Positions and platens one step ahead, Eq. (I2).
 void update_positions(System& system, const ParallelLoops& loops);
 
-/// update_velocities() and update_positions() in one pass, to the same bits; for steps whose energies nobody asks for.
-void update_motion(System& system, const ParallelLoops& loops);
-
 /// Net force of triangles and contacts on a node, gathered in fixed order; valid after compute_forces().
 Vec2 internal_force(const System& system, std::size_t node);
 

@@ -96,18 +96,6 @@ TEST_CASE("a step of the fast kernel is that of the reference, to rounding") {
   CHECK(later < 1e-10);
 }
 
-TEST_CASE("velocities and positions in one pass give the same bits as one after the other") {
-  System apart = busy_system(Kernel::fast), together = busy_system(Kernel::fast);
-  for (int step = 0; step < 50; ++step) {
-    compute_forces(apart, kLoops);
-    update_velocities(apart, kLoops);
-    update_positions(apart, kLoops);
-    compute_forces(together, kLoops);
-    update_motion(together, kLoops);
-  }
-  CHECK(same_bytes(apart, together));
-}
-
 TEST_CASE("every instruction set gives the same bytes") {
   const System best = after_steps(200);
   CHECK(best.contacts.broken.size() > 20);  // otherwise nothing was tried
