@@ -133,6 +133,7 @@ const std::vector<Binding>& bindings() {
       bind<&Run::contacts, &Contacts::cohesion_mpa>("/contacts/cohesion_mpa"),
       bind<&Run::contacts, &Contacts::friction_angle_deg>("/contacts/friction_angle_deg"),
       bind<&Run::contacts, &Contacts::fracture_energy_n_per_mm>("/contacts/fracture_energy_n_per_mm"),
+      bind<&Run::contacts, &Contacts::shear_fracture_energy_n_per_mm>("/contacts/shear_fracture_energy_n_per_mm"),
       bind<&Run::contacts, &Contacts::law, &Law::reading>("/contacts/law/reading"),
       bind<&Run::contacts, &Contacts::law, &Law::shear_peak>("/contacts/law/shear_peak"),
       bind<&Run::contacts, &Contacts::law, &Law::opening_shear_stiffness>("/contacts/law/opening_shear_stiffness"),

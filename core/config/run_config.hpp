@@ -119,6 +119,7 @@ struct ContactConfig {
   double cohesion_mpa = 5.02;                          ///< c_c
   double friction_angle_deg = 36.5;                    ///< phi_c
   std::optional<double> fracture_energy_n_per_mm;      ///< G_f; unset: K_IC^2 / E~ (Eq 34).
+  std::optional<double> shear_fracture_energy_n_per_mm;  ///< G_II at no pressure; unset: Eq 6's drop, no softening.
   LawConfig law;
   GeneralContactConfig general;
   bool operator==(const ContactConfig&) const = default;

@@ -122,6 +122,10 @@ DerivedParameters derive(const RunConfig& config, PlaneCondition plane) {
   d.delta_ct = critical_displacement(c.tensile_strength_mpa, d.k_t);
   d.delta_cs = critical_displacement(c.cohesion_mpa, d.k_s);
   d.delta_ut = ultimate_tensile_displacement(c.tensile_strength_mpa, d.delta_ct, d.g_f);
+  d.delta_us = d.delta_cs;
+  if (c.shear_fracture_energy_n_per_mm) {  // Eq. (D9): Eq (C10)'s area with c_c and delta_cs
+    d.delta_us = ultimate_tensile_displacement(c.cohesion_mpa, d.delta_cs, *c.shear_fracture_energy_n_per_mm);
+  }
   return d;
 }
 
@@ -136,6 +140,15 @@ LawParameters law_parameters(const RunConfig& config) {
           std::to_string(d.g_f), "above t_c delta_ct (e - 2) = " + std::to_string(least) + " N/mm",
           "raise the fracture energy, lower tensile_strength_mpa, or raise tensile_stiffness_mpa_per_mm"}});
   }
+  if (d.delta_us < d.delta_cs) {
+    const double least = c.cohesion_mpa * d.delta_cs * (std::numbers::e - 2.0);
+    throw Error(ErrorKind::config,
+                {{"/contacts/shear_fracture_energy_n_per_mm",
+                  "is less than the contact takes up to its shear peak: delta_us would lie below delta_cs (Eq D9)",
+                  std::to_string(*c.shear_fracture_energy_n_per_mm),
+                  "at least c_c delta_cs (e - 2) = " + std::to_string(least) + " N/mm",
+                  "raise it, leave it out for Eq 6's drop, or raise shear_stiffness_mpa_per_mm"}});
+  }
   LawParameters p;
   p.k_t = d.k_t;
   p.k_s = d.k_s;
@@ -146,6 +159,7 @@ LawParameters law_parameters(const RunConfig& config) {
   p.delta_cs = d.delta_cs;
   p.delta_ut = d.delta_ut;
   p.kappa_ut = d.delta_ut / d.delta_ct;
+  p.kappa_us = d.delta_us / d.delta_cs;
   p.inverse_delta_ct = 1.0 / d.delta_ct;
   p.coulomb = c.law.shear_peak == ShearPeak::coulomb ? p.tan_phi : 0.0;
   p.opening_shear = c.law.opening_shear_stiffness == OpeningShearStiffness::k_s ? p.k_s / p.k_t : 1.0;

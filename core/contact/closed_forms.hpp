@@ -90,6 +90,7 @@ struct DerivedParameters {
   double w = 0;                                     ///< mm, Eq. (C35)
   double w_sliding = 0;                             ///< mm, Eq. (C36)
   double delta_ct = 0, delta_cs = 0, delta_ut = 0;  ///< mm
+  double delta_us = 0;                              ///< mm, Eq. (D9); delta_cs where shear does not soften.
 };
 
 /// Closed forms of a config in one plane condition. Values given in the config win over derived ones.

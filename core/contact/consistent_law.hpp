@@ -20,11 +20,12 @@ inline double secant_factor(double kappa, double damage) {
 /// the intact share, Eq. (D3): x exp(-x) up to its peak 1 / e at x = 1, then constant.
 inline double shear_secant_factor(double x) { return secant_factor(x, 0.0); }
 
-/// D at kappa; the ultimate separation shrinks from delta_ut / delta_ct in pure tension to 1 in pure shear, Eq. (D4).
+/// D at kappa; the ultimate separation goes from delta_ut / delta_ct in pure tension to delta_us / delta_cs in pure
+/// shear, which is 1 unless shear softens, Eq. (D4).
 inline double damage_at(double kappa, double kappa_n, const LawParameters& p) {
   if (kappa <= 1.0) return 0.0;
   const double tension_share = kappa_n * kappa_n / (kappa * kappa);
-  const double range = (p.kappa_ut - 1.0) * tension_share;
+  const double range = (p.kappa_ut - 1.0) * tension_share + (p.kappa_us - 1.0) * (1.0 - tension_share);
   return kappa - 1.0 >= range ? 1.0 : (kappa - 1.0) / range;
 }
 

@@ -15,6 +15,7 @@ struct LawParameters {
   double delta_ct = 0, delta_cs = 0;  ///< Critical displacements, Eqs. (C4), (C7), mm.
   double delta_ut = 0;                ///< Ultimate tensile displacement, Eq. (C10), mm.
   double kappa_ut = 0;                ///< delta_ut / delta_ct.
+  double kappa_us = 1;                ///< delta_us / delta_cs: end of softening in pure shear; 1: breaks at the peak.
   double inverse_delta_ct = 0;        ///< 1 / delta_ct, 1/mm.
   double coulomb = 0;        ///< Literal law: tan(phi_c) where Eq 6's peak is c_c + sigma_n tan(phi_c), else 0.
   double opening_shear = 1;  ///< Literal law: factor on Eq 3's shear component, 1 (k_t) or k_s / k_t.
