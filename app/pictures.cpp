@@ -32,6 +32,10 @@ std::vector<render::Field> parse_fields(const std::vector<std::string>& names) {
 }
 
 std::vector<int> parse_frames(const std::string& text, int count) {
+  if (count == 0) {
+    throw Error(ErrorKind::usage, {{"--frames", "there is nothing to draw: the run has no frames", "", "",
+                                    "run it with /output/frames above 0"}});
+  }
   if (text == "all") {
     std::vector<int> frames(count);
     std::iota(frames.begin(), frames.end(), 0);

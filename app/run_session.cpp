@@ -185,7 +185,8 @@ bool draw(Session& s) {
   return draw_until_interrupted(s.folder, output, frames_to_draw(s.folder.root(), output));
 }
 
-/// The error with what is left of the run: only states that have passed the guards become checkpoints.
+/// The error with what is left of the run: only states that have passed the guards become checkpoints. What is left
+/// stands on lines of its own: it depends on the clock, the error does not.
 Error with_last_checkpoint(const Session& s, const Error& error) {
   const std::string root = s.folder.root().string();
   const auto saved = s.checkpoints.newest();
@@ -194,7 +195,7 @@ Error with_last_checkpoint(const Session& s, const Error& error) {
                                        "` goes on from it, and fails in the same way unless the code changes"
                                  : "There is no checkpoint yet: /output/checkpoint_interval_s is the time between them";
   return {error.kind(),
-          std::string(error.what()) + ". " + last + ". " + root + "/fields.pvd and curves.csv show the way here"};
+          std::string(error.what()) + ".\n" + last + ". " + root + "/fields.pvd and curves.csv show the way here"};
 }
 
 int carry_out(Session& s, const ParallelLoops& loops) {

@@ -26,16 +26,6 @@ namespace {
               {Fault{path.string(), "cannot be read: " + reason, "", "a JSON file", "check the path"}});
 }
 
-std::string read_text(const std::filesystem::path& path) {
-  std::error_code ignored;  // what is wrong with the path shows when it is opened
-  if (std::filesystem::is_directory(path, ignored)) refuse_file(path, "it is a folder");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) refuse_file(path, std::strerror(errno));
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (file.bad()) refuse_file(path, "reading failed");
-  return text;
-}
-
 /// Adds the faults at places that have none yet: the first one named is the cause.
 void append_new(std::vector<Fault>& faults, std::vector<Fault> more) {
   for (Fault& fault : more) {
@@ -89,6 +79,16 @@ Fault not_an_object(const json& document, const std::string& origin) {
 
 }  // namespace
 
+std::string read_config_text(const std::filesystem::path& path) {
+  std::error_code ignored;  // what is wrong with the path shows when it is opened
+  if (std::filesystem::is_directory(path, ignored)) refuse_file(path, "it is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuse_file(path, std::strerror(errno));
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) refuse_file(path, "reading failed");
+  return text;
+}
+
 RunConfig parse_run_config(const std::string& text, const std::string& origin,
                            const std::vector<std::string>& override_texts) {
   const std::vector<Override> overrides = parse_overrides(override_texts);
@@ -110,7 +110,7 @@ RunConfig parse_run_config(const std::string& text, const std::string& origin,
 
 RunConfig read_run_config(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   parse_overrides(overrides);  // a malformed override is a usage error even if the file cannot be read
-  return parse_run_config(read_text(path), path.string(), overrides);
+  return parse_run_config(read_config_text(path), path.string(), overrides);
 }
 
 }  // namespace asperity

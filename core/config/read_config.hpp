@@ -13,7 +13,10 @@ namespace asperity {
 /// file:line:column; or of kind usage if an override is malformed.
 RunConfig read_run_config(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
-/// The same for a text; `origin` names it in syntax faults, and its stem is the run's name if the text has none.
+/// The text of a configuration of any kind. Throws Error(config) where it cannot be read.
+std::string read_config_text(const std::filesystem::path& path);
+
+/// The same as read_run_config for a text; `origin` names it in syntax faults, and its stem is the run's name if the text has none.
 RunConfig parse_run_config(const std::string& text, const std::string& origin,
                            const std::vector<std::string>& overrides = {});
 

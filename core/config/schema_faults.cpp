@@ -68,7 +68,7 @@ std::string nearest_word(const json& value, const json& node) {
 std::string value_hint(const json& value, const json& node) {
   const std::string word = nearest_word(value, node);
   if (!word.empty()) return "did you mean \"" + word + "\"?";
-  const std::string type = node.value("type", "");
+  const std::string type = single_type(node);
   if ((type == "number" || type == "integer") && is_quoted_number(value)) return "write the number without quotes";
   return node.value("description", "");
 }

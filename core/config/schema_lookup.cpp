@@ -54,6 +54,13 @@ std::string words_text(const json& node) {
   return join(words, " or ");
 }
 
+/// "a string or an array" of a node that allows several types.
+std::string union_text(const json& node) {
+  std::vector<std::string> types;
+  for (const json& type : node.at("type")) types.push_back(type_text({{"type", type}}));
+  return join(types, " or ");
+}
+
 std::string count_text(const json& node) {
   const std::string least = bound(node, "minItems");
   const std::string most = bound(node, "maxItems");
@@ -135,19 +142,26 @@ std::vector<std::string> allowed_keys(const json& node) {
   return keys;
 }
 
+std::string single_type(const json& node) {
+  const auto type = node.find("type");
+  return type != node.end() && type->is_string() ? type->get<std::string>() : "";
+}
+
 std::string type_text(const json& node) {
+  if (node.contains("type") && node.at("type").is_array()) return union_text(node);
   static const std::map<std::string, std::string> texts{{"number", "a number"},  {"integer", "a whole number"},
                                                         {"string", "a string"},  {"array", "an array"},
                                                         {"object", "an object"}, {"boolean", "true or false"}};
-  const auto found = texts.find(node.value("type", ""));
+  const auto found = texts.find(single_type(node));
   return found == texts.end() ? "something else" : found->second;
 }
 
 std::string allowed_text(const json& node) {
-  const std::string type = node.value("type", "");
+  const std::string type = single_type(node);
   if (node.contains("enum")) return words_text(node);
   if (type == "array") return with_unit(array_text(node), node);
-  if (type == "object") return "an object with the keys " + join(allowed_keys(node), " and ");
+  if (type == "object" && node.contains("properties"))
+    return "an object with the keys " + join(allowed_keys(node), " and ");
   if (type == "string" && node.contains("maxLength"))
     return "a string of up to " + bound(node, "maxLength") + " characters";
   if (type == "integer") return with_unit("whole number, " + range_text(node), node);

@@ -25,6 +25,9 @@ std::vector<std::string> schema_pointers(const nlohmann::json& schema);
 /// The keys that an object node allows.
 std::vector<std::string> allowed_keys(const nlohmann::json& node);
 
+/// The node's "type" where it names one; empty where it names several or none.
+std::string single_type(const nlohmann::json& node);
+
 /// The node's type in words, e.g. "a number".
 std::string type_text(const nlohmann::json& node);
 

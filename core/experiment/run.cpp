@@ -100,11 +100,16 @@ void take_frame(const Model& model, RunState& state, const RunObserver& observer
   while (state.next_frame_strain <= state.samples.back().axial_strain) state.next_frame_strain += interval;
 }
 
+/// The last sample has a frame, and so has the first unless one frame is all that is wanted.
+bool frame_due(const Model& model, const RunState& state) {
+  const int frames = model.config.output.frames;
+  if (state.stop != StopReason::running) return frames > 0;
+  return frames > 1 && state.samples.back().axial_strain >= state.next_frame_strain;
+}
+
 void sample_and_frame(Model& model, RunState& state, const ParallelLoops& loops, const RunObserver& observer) {
   take_sample(model, state, loops, observer);
-  if (state.samples.back().axial_strain >= state.next_frame_strain || state.stop != StopReason::running) {
-    take_frame(model, state, observer);
-  }
+  if (frame_due(model, state)) take_frame(model, state, observer);
 }
 
 /// What the loading must know of the energies of this step.

@@ -117,6 +117,12 @@ bool cut_off_at_start(const fs::path& root) {
          !fs::exists(root / "manifest.json");
 }
 
+bool is_written(const fs::path& root) {
+  if (!fs::exists(root / kLockName)) return false;
+  const FileDescriptor lock(root / kLockName, O_RDWR);
+  return ::flock(lock.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
 RunFolder::RunFolder(fs::path root, FolderDecision decision, std::optional<FileDescriptor> lock)
     : root_(std::move(root)), decision_(std::move(decision)), lock_(std::move(lock)) {}
 

@@ -35,6 +35,9 @@ FolderDecision decide_folder_use(const std::filesystem::path& root, const RunIde
 /// start.
 bool cut_off_at_start(const std::filesystem::path& root);
 
+/// Whether a living process writes a run there.
+bool is_written(const std::filesystem::path& root);
+
 /// A run folder and, unless the run in it is re-used, the lock that keeps other processes from writing there. The lock
 /// is held as long as the object lives.
 class RunFolder {

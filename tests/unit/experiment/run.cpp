@@ -144,6 +144,18 @@ TEST_CASE("frames are spread over the strain, the first at the start and the las
   }
 }
 
+TEST_CASE("of one frame the last is kept, and none are possible") {
+  RunConfig config = weak_disc();
+  config.experiment.stop.axial_strain = 0.002;
+  config.output.frames = 1;
+  const Recorded one(config);
+  REQUIRE(one.frames.size() == 1);
+  CHECK(one.frames.front().index == 0);
+  CHECK(one.frames.front().axial_strain == one.last().axial_strain);
+  config.output.frames = 0;
+  CHECK(Recorded(config).frames.empty());
+}
+
 TEST_CASE("progress grows to the whole") {
   RunConfig config = weak_disc();
   config.experiment.stop.axial_strain = 0.002;
