@@ -55,7 +55,7 @@ void add_validate(CLI::App& cli, Action& action) {
   auto overrides = std::make_shared<std::vector<std::string>>();
   CLI::App* command =
       cli.add_subcommand("validate", "Makes every check of `run`, the mesh's included, and writes nothing");
-  command->add_option("config", *configs, "Run configurations (JSON)")->required();
+  command->add_option("config", *configs, "Configurations (JSON) of runs or, by their \"$schema\", of campaigns")->required();
   add_overrides(*command, *overrides);
   command->footer("Example:\n  asperity validate configs/paper/*.json");
   command->callback([=, &action] { action = [=] { return validate_command(*configs, *overrides); }; });
@@ -64,7 +64,7 @@ void add_validate(CLI::App& cli, Action& action) {
 void add_schema(CLI::App& cli, Action& action) {
   auto kind = std::make_shared<std::string>("run");
   CLI::App* command = cli.add_subcommand("schema", "Prints the JSON Schema of a kind of configuration");
-  command->add_option("kind", *kind, "run")->capture_default_str();
+  command->add_option("kind", *kind, "run or campaign")->capture_default_str();
   command->footer("Example:\n  asperity schema run > run.schema.json");
   command->callback([=, &action] { action = [=] { return schema_command(*kind); }; });
 }
@@ -135,6 +135,35 @@ void add_acceleration(CLI::App& cli, Action& action) {
   command->callback([=, &action] { action = [=] { return acceleration_command(*options); }; });
 }
 
+/// The options of every command that computes a campaign.
+void add_campaign_options(CLI::App& command, CampaignSessionOptions& options) {
+  command.add_option("--jobs", options.jobs, "Runs at once on this machine; default one a core")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--executor", options.executor, "local, or slurm: array jobs by sbatch")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"local", "slurm"}));
+  command.add_option("--store", options.store, "Folder of the run folders; campaigns that share it share finished runs")
+      ->capture_default_str();
+  command.add_flag("--quiet", options.quiet, "No progress on stderr");
+}
+
+void add_campaign(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<CampaignCommandOptions>();
+  CLI::App* command = cli.add_subcommand(
+      "campaign", "Computes many runs, none twice, and writes a table; started again, it goes on where it was ended");
+  command->add_option("config", options->config, "Campaign (JSON)")->required();
+  add_overrides(*command, options->overrides);
+  command->add_option("--out", options->out, "Folder for table.csv and campaign.json; default outputs/<name>/");
+  add_campaign_options(*command, options->session);
+  command->footer(
+      "Exits with the code of the first failed run, if any; the table names them all.\nExamples:\n"
+      "  asperity campaign configs/campaign/strength_against_edge.json\n"
+      "  asperity campaign configs/campaign/strength_against_edge.json --set /seeds/count=1 --set "
+      "/contacts/cohesion_mpa=4 --out outputs/weaker\n"
+      "  asperity campaign configs/campaign/strength_against_edge.json --executor slurm --set /slurm/partition=short");
+  command->callback([=, &action] { action = [=] { return campaign_command(*options); }; });
+}
+
 void add_info(CLI::App& cli, Action& action) {
   CLI::App* command = cli.add_subcommand("info", "Prints version, revision, libraries and machine");
   command->footer("Example:\n  asperity info");
@@ -166,7 +195,7 @@ int run_command_line(int argc, char** argv) {
       "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
   Action action;
   for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_audit,
-                         add_acceleration, add_bench, add_info}) {
+                         add_campaign, add_acceleration, add_bench, add_info}) {
     add(cli, action);
   }
   try {

@@ -1,17 +1,12 @@
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <iosfwd>
 #include <optional>
 #include <string>
 
+#include "app/progress_line.hpp"
+
 namespace asperity {
-
-/// How progress is shown: one line rewritten in place, a new line every 5 %, or not at all.
-enum class ProgressStyle { rewritten_line, lines, quiet };
-
-/// rewritten_line where stderr is a terminal that can move its cursor, else lines.
-ProgressStyle progress_style_of_stderr();
 
 /// Where a run stands.
 struct ProgressState {
@@ -26,15 +21,8 @@ struct ProgressState {
 /// left are reckoned from the first update, so that a resumed run is not told the speed of the run before.
 class Progress {
  public:
-  using Clock = std::function<double()>;  ///< Seconds since any fixed instant.
-
   /// `err` must outlive this. `clock` unset: the steady clock.
-  Progress(std::string experiment, ProgressStyle style, std::ostream& err, Clock clock = {});
-
-  /// Ends the line it rewrites.
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  Progress(std::string experiment, ProgressStyle style, std::ostream& err, ProgressClock clock = {});
 
   /// Cheap to call every sample: shows itself at most ten times a second, or at every 5 %.
   void update(const ProgressState& state);
@@ -47,21 +35,12 @@ class Progress {
     double seconds;
     ProgressState state;
   };
-  bool is_due(const ProgressState& state, double now) const;
-  void show(const ProgressState& state, double now);
-  std::string line(const ProgressState& state, double now) const;
+  void begin(const ProgressState& state);
+  std::string text(const ProgressState& state) const;
 
   std::string experiment_;
-  ProgressStyle style_;
-  std::ostream& err_;
-  Clock clock_;
+  ProgressLine line_;
   std::optional<Start> start_;
-  double shown_at_ = 0;     ///< Seconds.
-  int shown_percent_ = -1;  ///< -1: nothing shown yet.
-  bool line_open_ = false;
 };
-
-/// "2 h 05 min", "3 min 20 s", "12 s"; "?" for what is not finite.
-std::string duration_text(double seconds);
 
 }  // namespace asperity

@@ -176,8 +176,10 @@ bool draw_if_missing(const RunConfig& config, const std::filesystem::path& root,
   return frames.empty() || draw_until_interrupted(RunFolder::open(root), config.output, frames);
 }
 
-/// Plots, and the pictures that are missing. Returns false where a signal ended the drawing.
+/// Plots, and the pictures that are missing; neither where tables are all that is wanted: drawing takes as long as a
+/// small run. Returns false where a signal ended the drawing.
 bool draw(Session& s) {
+  if (s.model.config.output.frames == 0) return true;
   draw_plots(s.folder, s.model.config.experiment.type);
   if (!s.options.render) return true;
   const Timed timed(s.manifest.timings_s["render_s"]);

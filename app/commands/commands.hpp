@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/campaign_session.hpp"
+
 /// The subcommands of `asperity`: each takes plain options, prints results on stdout, and returns an exit code.
 namespace asperity::app {
 
@@ -75,6 +77,15 @@ struct AccelerationOptions {
 };
 
 int acceleration_command(const AccelerationOptions& options);
+
+struct CampaignCommandOptions {
+  std::filesystem::path config;
+  std::vector<std::string> overrides;
+  std::optional<std::filesystem::path> out;  ///< Unset: outputs/<campaign name>/.
+  CampaignSessionOptions session;
+};
+
+int campaign_command(const CampaignCommandOptions& options);
 
 int info_command();
 

@@ -7,6 +7,7 @@
 #include "app/pictures.hpp"
 #include "core/base/build_info.hpp"
 #include "core/base/error.hpp"
+#include "core/campaign/campaign_config.hpp"
 #include "core/config/read_config.hpp"
 #include "core/config/schema.hpp"
 #include "core/experiment/model.hpp"
@@ -15,13 +16,27 @@
 
 namespace asperity::app {
 
+namespace {
+
+/// A mesh for each run of a campaign would take as long as a run: they are checked when they are made.
+void validate_campaign(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  const CampaignConfig config = read_campaign_config(path, overrides);
+  std::cout << path.string() << ": valid (" << config.runs.size() << " runs)\n";
+}
+
+void validate_run(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  const Model model = build_model(read_run_config(path, overrides), ParallelLoops());
+  std::cout << path.string() << ": valid (" << model.mesh.triangles.size() << " triangles, time step "
+            << model.system.time_step << " s)\n";
+}
+
+}  // namespace
+
 int validate_command(const std::vector<std::filesystem::path>& configs, const std::vector<std::string>& overrides) {
   int code = 0;
   for (const std::filesystem::path& path : configs) {
     try {
-      const Model model = build_model(read_run_config(path, overrides), ParallelLoops());
-      std::cout << path.string() << ": valid (" << model.mesh.triangles.size() << " triangles, time step "
-                << model.system.time_step << " s)\n";
+      config_kind(path) == "campaign" ? validate_campaign(path, overrides) : validate_run(path, overrides);
     } catch (const Error& error) {
       if (error.kind() == ErrorKind::usage) throw;
       code = exit_code(error.kind());

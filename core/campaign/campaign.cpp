@@ -184,14 +184,14 @@ void Campaign::execute(const std::vector<std::size_t>& open) {
 void Campaign::carry_out() {
   for (bool busy = true; busy;) {
     const std::vector<std::size_t> open = open_jobs(busy);
-    tell();
     if (interrupted()) return;
     if (!open.empty()) {
       execute(open);
       busy = true;  // a run in which another process was quicker has to be looked at again
-    } else if (busy) {
-      std::this_thread::sleep_for(kBetweenLooks);
+      continue;
     }
+    tell();
+    if (busy) std::this_thread::sleep_for(kBetweenLooks);
   }
 }
 

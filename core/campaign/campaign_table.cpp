@@ -27,6 +27,12 @@ Summaries read_summaries(const std::vector<CampaignOutcome>& outcomes) {
   return summaries;
 }
 
+/// A label or a value may hold a line break, a row may not.
+CsvCell word_cell(std::string text) {
+  std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return {std::string_view(text)};
+}
+
 bool is_number(const Json& value) { return value.is_number() || value.is_null(); }
 
 /// Names of the numbers in "results" of all runs, in the order of their first appearance.
@@ -55,9 +61,10 @@ std::string plain_value(const RunConfig& config, const std::string& pointer) {
 
 std::vector<CsvCell> row_of(const CampaignConfig& config, std::size_t i, const CampaignOutcome& outcome) {
   const RunConfig& run = config.runs[i].config;
-  std::vector<CsvCell> row{outcome.label, outcome.folder.filename().string(), config.base_names[i]};
-  for (const std::string& pointer : config.varied) row.emplace_back(plain_value(run, pointer));
-  row.insert(row.end(), {run.particles.seed, status_word(outcome.status), outcome.reason});
+  std::vector<CsvCell> row{word_cell(outcome.label), word_cell(outcome.folder.filename().string()),
+                           word_cell(config.base_names[i])};
+  for (const std::string& pointer : config.varied) row.push_back(word_cell(plain_value(run, pointer)));
+  row.insert(row.end(), {run.particles.seed, status_word(outcome.status), word_cell(outcome.reason)});
   return row;
 }
 

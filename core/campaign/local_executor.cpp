@@ -52,8 +52,8 @@ void run_locally(const TaskQueue& queue, int jobs) {
   for (;;) {
     const bool ending = queue.interrupted();
     if (ending && !std::exchange(told, true)) tell_to_end(workers);
-    while (!ending && next < queue.size && workers.size() < most) start(next++, workers, queue);
     collect(workers, queue);
+    while (!ending && next < queue.size && workers.size() < most) start(next++, workers, queue);
     queue.tick();
     if (workers.empty() && (ending || next == queue.size)) return;
     std::this_thread::sleep_for(kBetweenLooks);

@@ -89,6 +89,15 @@ std::string read_config_text(const std::filesystem::path& path) {
   return text;
 }
 
+std::string config_kind(const std::filesystem::path& path) {
+  const json document = parse_json(read_config_text(path), path.string()).document;
+  const bool named = document.is_object() && document.contains("$schema") && document.at("$schema").is_string();
+  const std::string ending = ".schema.json";
+  const std::string name =
+      named ? std::filesystem::path(document.at("$schema").get<std::string>()).filename().string() : "";
+  return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : "run";
+}
+
 RunConfig parse_run_config(const std::string& text, const std::string& origin,
                            const std::vector<std::string>& override_texts) {
   const std::vector<Override> overrides = parse_overrides(override_texts);

@@ -155,7 +155,7 @@ struct MeasurementConfig {
 };
 
 struct OutputConfig {
-  int frames = 24;  ///< With the first and the last; 1: the last alone; 0: none.
+  int frames = 24;  ///< With the first and the last; 1: the last alone; 0: none, and no plots.
   std::vector<std::string> fields{"cracks", "contacts", "damage", "stress", "fragments"};
   int width_px = 1600;
   int height_px = 1200;
