@@ -1,5 +1,7 @@
 #include "core/config/overrides.hpp"
 
+#include <algorithm>
+
 #include "core/config/json_text.hpp"
 #include "core/config/schema_lookup.hpp"
 
@@ -66,7 +68,9 @@ void set_value(json& document, const Override& item) {
 bool leads_into_array(const json& schema, const std::string& pointer) {
   const std::string parent = json::json_pointer(pointer).parent_pointer().to_string();
   const json* node = schema_at(schema, parent);
-  return node && node->value("type", "") == "array";
+  if (!node || !node->contains("items")) return false;
+  const std::vector<std::string> keys = allowed_keys(*node);  // a node may allow an object as well
+  return std::find(keys.begin(), keys.end(), pointer_tokens(pointer).back()) == keys.end();
 }
 
 Fault inside_array(const json& schema, const Override& item) {

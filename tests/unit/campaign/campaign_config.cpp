@@ -124,6 +124,8 @@ TEST_CASE("every bad campaign is one clear error") {
   CHECK_THAT(fault(R"({"base": "disc.json", "slurm": {"memory_mb": -1}})"), StartsWith("/slurm/memory_mb: is out of range"));
   CHECK_THAT(fault(R"({"base": "disc.json", "seeds": [1]})", {"/particles/seed=3"}),
              StartsWith("--set /particles/seed: is varied by the campaign"));
+  CHECK_THAT(fault(R"({"base": "disc.json", "seeds": [1]})", {"/seeds/0=3"}),
+             StartsWith("/seeds/0: is inside an array, which is set as a whole"));
   CHECK_THAT(fault(R"({"base": "disc.json"})", {"nonsense"}, ErrorKind::usage), StartsWith("--set"));
 }
 
