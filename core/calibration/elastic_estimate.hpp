@@ -1,8 +1,8 @@
 #pragma once
 #include "core/config/run_config.hpp"
 
-/// Closed-form estimate of an assembly's elasticity from its particles' and contacts'. Moduli MPa, stiffnesses MPa/mm,
-/// lengths mm.
+/// Closed-form estimate of an assembly's elasticity from its particles' and contacts'. Moduli and stresses MPa,
+/// stiffnesses MPa/mm, lengths mm.
 namespace asperity {
 
 /// Young's modulus (MPa) and Poisson's ratio.
@@ -34,9 +34,21 @@ Elasticity estimate_assembly(Elasticity particle, const ContactStiffness& contac
 /// that the contacts alone are more compliant than the target.
 Elasticity estimate_particle(Elasticity target, const ContactStiffness& contacts, double edge_mm, PlaneCondition plane);
 
+/// 1/8 of the edge density: the estimate's unit of contact compliance, 1/mm.
+double contact_share(double edge_mm);
+
 /// Eq. (K26): the ratio k_s / k_t with which particles of this Poisson's ratio make an assembly of `target`, with k_t
 /// held; not positive where none does.
 double estimate_stiffness_ratio(Elasticity target, double particle_poissons_ratio, double k_t, double edge_mm,
                                 PlaneCondition plane);
+
+/// Stresses between which a modulus is fitted, MPa.
+struct StressWindow {
+  double low = 0, high = 0;
+};
+
+/// Eq. (K27): by how much the contacts' hardening in shear raises the estimate's 1 / k_s between two axial stresses of
+/// a uniaxial test, c_c in MPa. It depends on neither stiffness. 1 for a window at no stress.
+double shear_hardening(StressWindow window, double c_c, double friction);
 
 }  // namespace asperity
