@@ -96,6 +96,11 @@ double estimate_stiffness_ratio(Elasticity target, double particle_poissons_rati
   return share * (1.0 - nu) / (k_t * rest);
 }
 
+double least_stiffness(Elasticity target, double edge_mm, PlaneCondition plane) {
+  const Elasticity e = plane_elasticity(target, plane);
+  return 4.0 * contact_share(edge_mm) * e.youngs_modulus / (1.0 - e.poissons_ratio);
+}
+
 double shear_hardening(StressWindow window, double c_c, double friction) {
   if (window.high <= window.low) return 1.0;
   double mean = 0.0;

@@ -42,6 +42,9 @@ double contact_share(double edge_mm);
 double estimate_stiffness_ratio(Elasticity target, double particle_poissons_ratio, double k_t, double edge_mm,
                                 PlaneCondition plane);
 
+/// The k_t above which particles that make an assembly of `target` exist at all, whatever k_s, Eq. (K34).
+double least_stiffness(Elasticity target, double edge_mm, PlaneCondition plane);
+
 /// Stresses between which a modulus is fitted, MPa.
 struct StressWindow {
   double low = 0, high = 0;

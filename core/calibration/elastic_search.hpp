@@ -1,7 +1,7 @@
 #pragma once
-#include <Eigen/Core>
 #include <optional>
 
+#include "core/base/vec2.hpp"
 #include "core/calibration/elastic_compensation.hpp"
 
 namespace asperity {
@@ -25,16 +25,21 @@ class ElasticSearch {
   bool advance(Elasticity assembly);
 
  private:
-  using Vector = Eigen::Vector2d;
+  /// Slopes of what the assembly shows over the unknowns, row by row.
+  struct Slopes {
+    Vec2 first, second;
+    Vec2 times(Vec2 v) const { return {dot(first, v), dot(second, v)}; }
+    Vec2 solve(Vec2 v) const;
+  };
 
-  Vector compliance(Elasticity material) const;
-  Vector estimate() const;
-  ElasticTrial trial_at(const Vector& x) const;
-  void start(ElasticUnknowns unknowns, const Vector& x);
+  Vec2 compliance(Elasticity material) const;
+  Vec2 estimate() const;
+  ElasticTrial trial_at(Vec2 x) const;
+  void start(ElasticUnknowns unknowns, Vec2 x);
   void hold_poissons_ratio(double value);
   void hold_stiffness_ratio(double value);
-  void propose(const Vector& x);
-  void update_jacobian(const Vector& y);
+  void propose(Vec2 x);
+  void update_slopes(Vec2 y);
 
   ElasticBounds bounds_;
   RatioPolicy policy_;
@@ -45,9 +50,9 @@ class ElasticSearch {
   ElasticUnknowns unknowns_ = ElasticUnknowns::particle;
   ElasticTrial trial_;
   bool at_greatest_modulus_ = false;
-  Vector x_;
-  Eigen::Matrix2d jacobian_;
-  std::optional<Vector> last_x_, last_y_;
+  Vec2 x_;  ///< 1/E' of the particles; their nu'/E' or the contacts' share of compliance in shear. Eq. (K32)
+  Slopes slopes_;
+  std::optional<Vec2> last_x_, last_y_;
 };
 
 }  // namespace asperity
