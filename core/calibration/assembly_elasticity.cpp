@@ -48,13 +48,15 @@ ElasticResult initial_moduli(Model& model, const ParallelLoops& loops) {
 }
 
 /// Equilibria from no load to the stress, or as far as they go before a contact softens.
-std::vector<PathPoint> static_path(Model& model, double stress, double& separation, const ParallelLoops& loops) {
+std::vector<PathPoint> static_path(Model model, double stress, int increments, double& separation,
+                                   const ParallelLoops& loops) {
   std::vector<PathPoint> path{PathPoint{}};
   try {
-    separation = solve_elastic_start(model, loops, [&] {
-                   path.push_back(read_point(model));
-                   return path.back().stress < stress;
-                 }).separation;
+    const auto go_on = [&] {
+      path.push_back(read_point(model));
+      return path.back().stress < stress;
+    };
+    separation = solve_elastic_start(model, loops, go_on, increments).separation;
   } catch (const Error& error) {
     constexpr std::size_t kFewest = 4;  // the unloaded specimen and three rows of fit_moduli
     if (error.kind() != ErrorKind::numerical || path.size() < kFewest) throw;
@@ -71,30 +73,38 @@ GaugeReading strain_at(const std::vector<PathPoint>& path, double stress) {
   return {std::lerp(a.strain.axial, b.strain.axial, t), std::lerp(a.strain.lateral, b.strain.lateral, t)};
 }
 
+/// The strain on a path of endless increments: the error falls with their size, and the coarse path's are twice as
+/// large.
+double extrapolated(double fine, double coarse) { return 2.0 * fine - coarse; }
+
 /// Rows at equal stresses inside the window, as a test's curves would have them.
-std::vector<Sample> rows(const std::vector<PathPoint>& path, StressWindow window) {
+std::vector<Sample> rows(const std::vector<PathPoint>& fine, const std::vector<PathPoint>& coarse,
+                         StressWindow window) {
   std::vector<Sample> samples(kRows);
   for (int i = 0; i < kRows; ++i) {
     Sample& s = samples[i];
     s.stress_mpa = window.low + (i + 0.5) / kRows * (window.high - window.low);
-    const GaugeReading strain = strain_at(path, s.stress_mpa);
-    s.gauge_axial_strain = strain.axial;
-    s.lateral_strain = strain.lateral;
+    const GaugeReading a = strain_at(fine, s.stress_mpa), b = strain_at(coarse, s.stress_mpa);
+    s.gauge_axial_strain = extrapolated(a.axial, b.axial);
+    s.lateral_strain = extrapolated(a.lateral, b.lateral);
   }
   return samples;
 }
 
 /// Eq. (K30). The window is cut where the path ends, and then begins at half that stress at the latest.
-void read_window(Model& model, StressWindow wanted, AssemblyElasticity& found, const ParallelLoops& loops) {
-  const std::vector<PathPoint> path = static_path(model, wanted.high, found.separation, loops);
-  const double reached = path.back().stress;
+void read_window(const Model& model, StressWindow wanted, AssemblyElasticity& found, const ParallelLoops& loops) {
+  constexpr int kCoarse = kElasticIncrements / 2;
+  double coarse_separation = 0.0;
+  const auto fine = static_path(model, wanted.high, kElasticIncrements, found.separation, loops);
+  const double reached = fine.back().stress;
+  const auto coarse = static_path(model, std::min(reached, wanted.high), kCoarse, coarse_separation, loops);
   found.window_reached = reached >= wanted.high;
   found.window = found.window_reached ? wanted : StressWindow{std::min(wanted.low, 0.5 * reached), reached};
   RunConfig all_rows = model.config;
   all_rows.measurement.modulus_window_low = 0.0;
   all_rows.measurement.modulus_window_high = 1.0;
   const Peak end{static_cast<std::size_t>(kRows), found.window.high};
-  const ElasticResult moduli = fit_moduli(rows(path, found.window), end, all_rows).value();
+  const ElasticResult moduli = fit_moduli(rows(fine, coarse, found.window), end, all_rows).value();
   found.youngs_modulus_gpa = moduli.youngs_modulus_gpa;
   found.poissons_ratio = moduli.poissons_ratio;
 }
