@@ -11,7 +11,6 @@
 namespace asperity {
 namespace {
 
-constexpr int kIncrements = 20;          // to the end of the path: rows for the modulus, and steps along the law
 constexpr int kIterations = 60;          // for one equilibrium
 constexpr double kBalance = 1e-7;        // out-of-balance force on any node over the platens' load
 constexpr double kFirstClosure = 1e-4;   // of the height: the first increment, before anything is known
@@ -175,16 +174,16 @@ void set_in_motion(System& system, const Equilibrium& before, const Equilibrium&
   }
 }
 
-/// The next increment's closure (mm), so that the path has kIncrements of equal rise and ends at `wanted`.
-double next_closure(double closure, double rise, double separation, double wanted) {
-  const double step = std::min(wanted / kIncrements, wanted - separation);
+/// The next increment's closure (mm), so that the separation rises by `increment` and ends at `wanted`.
+double next_closure(double closure, double rise, double separation, double wanted, double increment) {
+  const double step = std::min(increment, wanted - separation);
   return closure * std::clamp(step / std::max(rise, 1e-12), 0.2, 5.0);
 }
 
 }  // namespace
 
-ElasticStart solve_elastic_start(Model& model, const ParallelLoops& loops,
-                                 const std::function<bool()>& on_equilibrium) {
+ElasticStart solve_elastic_start(Model& model, const ParallelLoops& loops, const std::function<bool()>& on_equilibrium,
+                                 int increments) {
   constexpr double kReached = 0.995;  // of the separation wanted
   constexpr double kPassed = 1.01;
   System& system = model.system;
@@ -226,7 +225,7 @@ ElasticStart solve_elastic_start(Model& model, const ParallelLoops& loops,
       set_in_motion(system, from, to, closure, loading.closing_rate_mm_per_s);
       return result;
     }
-    closure = next_closure(closure, rise, separation, wanted);
+    closure = next_closure(closure, rise, separation, wanted, wanted / increments);
     from = to;
   }
   return result;
