@@ -50,15 +50,25 @@ void require_distinct(const Observations& observed, const OT::Matrix& matrix, co
   }
 }
 
-OT::CovarianceMatrix gram_inverse(const Observations& observed, const OT::Matrix& matrix,
-                                  const OT::LeastSquaresMethod& method) {
+/// Coefficients and (X'X)^-1.
+struct Solved {
+  OT::Point coefficients;
+  OT::CovarianceMatrix gram_inverse;
+};
+
+Solved solve(const Observations& observed, const OT::Matrix& matrix) {
   for (std::size_t j = 0; j < matrix.getNbColumns(); ++j) {
     if (column_square(matrix, j) == 0.0) throw indistinct(observed);
   }
+  OT::Point right(observed.y.size());
+  std::copy(observed.y.begin(), observed.y.end(), right.begin());
   try {
-    OT::CovarianceMatrix inverse = method.getGramInverse();
-    require_distinct(observed, matrix, inverse);
-    return inverse;
+    OT::LeastSquaresMethod method = OT::LeastSquaresMethod::Build("QR", matrix);
+    Solved solved;
+    solved.coefficients = method.solve(right);  // first: the inverse is that of the decomposition made here
+    solved.gram_inverse = method.getGramInverse();
+    require_distinct(observed, matrix, solved.gram_inverse);
+    return solved;
   } catch (const OT::Exception&) {
     throw indistinct(observed);
   }
@@ -151,18 +161,13 @@ LinearFit fit_terms(const Observations& observed, const std::vector<Term>& terms
   const std::size_t n = observed.y.size(), p = terms.size();
   if (n < p + 1) throw too_few(observed, p);
   const OT::Matrix matrix = design_matrix(observed, terms);
-  OT::LeastSquaresMethod method = OT::LeastSquaresMethod::Build("QR", matrix);
-  const OT::CovarianceMatrix inverse = gram_inverse(observed, matrix, method);
-  OT::Point right(n);
-  std::copy(observed.y.begin(), observed.y.end(), right.begin());
-  const OT::Point solved = method.solve(right);
-
+  const Solved solved = solve(observed, matrix);
   LinearFit fit;
   fit.terms = terms;
   fit.rows = observed.rows;
-  fit.coefficients.assign(solved.begin(), solved.end());
+  fit.coefficients.assign(solved.coefficients.begin(), solved.coefficients.end());
   fit.residual_df = static_cast<int>(n - p);
-  fill_matrices(fit, matrix, inverse);
+  fill_matrices(fit, matrix, solved.gram_inverse);
   fill_residuals(fit, observed);
   fill_tests(fit, largest_magnitude(observed.y));
   fill_determination(fit);
