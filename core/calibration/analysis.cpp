@@ -80,8 +80,8 @@ class Judge {
     }
     solution.region = confidence_region(system_, point.x, options_.level, design_.alpha);
     if (options_.bootstrap_draws > 0) {
-      solution.bootstrap = bootstrap_region(system_, point.x, options_.level, design_.alpha,
-                                            {options_.bootstrap_draws, options_.seed});
+      solution.bootstrap =
+          bootstrap_region(system_, point.x, options_.level, design_.alpha, {options_.bootstrap_draws, options_.seed});
     }
     return solution;
   }

@@ -16,17 +16,17 @@ struct AnalysisOptions {
   ModelOptions model;
   RegionShape region = RegionShape::sphere;
   SearchOptions search;
-  double level = 0.95;            ///< Of intervals and regions.
-  double most_move = 1.0;         ///< Longest move of the centre, in alpha.
+  double level = 0.95;              ///< Of intervals and regions.
+  double most_move = 1.0;           ///< Longest move of the centre, in alpha.
   std::size_t bootstrap_draws = 0;  ///< 0: delta method only.
-  std::uint64_t seed = 1;         ///< Of the bootstrap.
+  std::uint64_t seed = 1;           ///< Of the bootstrap.
 };
 
 /// One parameter set: what the models predict there, and how well the runs tell it.
 struct Solution {
   Optimum point;
-  std::vector<double> real;              ///< Parameters, factor by factor.
-  std::vector<Prediction> predicted;     ///< In the order of the targets.
+  std::vector<double> real;           ///< Parameters, factor by factor.
+  std::vector<Prediction> predicted;  ///< In the order of the targets.
   ConfidenceRegion region;
   std::optional<BootstrapRegion> bootstrap;
 };

@@ -100,8 +100,7 @@ Anova analyse_variance(const Observations& observed, const LinearFit& full) {
   const int n = static_cast<int>(observed.y.size()), p = static_cast<int>(full.terms.size());
   Anova table;
   table.pure_error = pure_error(observed);
-  table.lines.push_back(
-      tested("model", p - 1, full.total_sum_of_squares - full.residual_sum_of_squares, residual));
+  table.lines.push_back(tested("model", p - 1, full.total_sum_of_squares - full.residual_sum_of_squares, residual));
   add_groups(table, observed, full, residual);
   add_terms(table, full, residual);
   table.lines.push_back(untested("residual", full.residual_df, full.residual_sum_of_squares));

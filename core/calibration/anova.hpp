@@ -29,8 +29,8 @@ struct LackOfFit {
 
 /// The analysis of variance of a full quadratic. `lines` in order: "model"; "linear", "interactions", "quadratic" (each
 /// what it explains beyond those before it, so that they add up to the model); every term (what it explains beyond all
-/// others, which does not add up unless the design is orthogonal); "residual", "lack_of_fit", "pure_error" (the last two
-/// add up to the residual; left out where no levels were run twice); "total".
+/// others, which does not add up unless the design is orthogonal); "residual", "lack_of_fit", "pure_error" (the last
+/// two add up to the residual; left out where no levels were run twice); "total".
 struct Anova {
   std::vector<AnovaLine> lines;
   std::optional<LackOfFit> lack_of_fit;  ///< None without pure error, or where the fit uses up all distinct levels.

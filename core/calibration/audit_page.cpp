@@ -84,8 +84,8 @@ std::string compromise_section(const DataCalibration& calibration, const PaperAu
   text += "| | target | there | sd of a run |\n|---|---|---|---|\n";
   for (std::size_t r = 0; r < calibration.targets.size(); ++r) {
     const Prediction& predicted = audit.compromise.predicted[r];
-    text += fmt::format("| {} | {} | {:.3g} | {:.2g} |\n", calibration.targets[r].property, calibration.targets[r].value,
-                        predicted.value, predicted.sd_run);
+    text += fmt::format("| {} | {} | {:.3g} | {:.2g} |\n", calibration.targets[r].property,
+                        calibration.targets[r].value, predicted.value, predicted.sd_run);
   }
   return text;
 }
@@ -115,7 +115,8 @@ std::string alpha_section(const PaperAudit& audit) {
 
 std::string scatter_section(const PaperAudit& audit) {
   std::string text = fmt::format(
-      "\n## Scatter\n\nRelative standard deviation over the {} centre points (one parameter set, {} meshes), and the one "
+      "\n## Scatter\n\nRelative standard deviation over the {} centre points (one parameter set, {} meshes), and the "
+      "one "
       "published for the calibrated set:\n\n| | centre points | published |\n|---|---|---|\n",
       audit.centre_points, audit.centre_points);
   for (const AuditedEquation& e : audit.equations) {

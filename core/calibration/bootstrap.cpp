@@ -42,8 +42,8 @@ double sd_of(const std::vector<double>& values) {
 
 }  // namespace
 
-BootstrapRegion bootstrap_region(const ResponseSystem& system, const std::vector<double>& x,
-                                 double level, double alpha, const BootstrapOptions& options) {
+BootstrapRegion bootstrap_region(const ResponseSystem& system, const std::vector<double>& x, double level, double alpha,
+                                 const BootstrapOptions& options) {
   BootstrapRegion result;
   result.draws = options.draws;
   std::vector<std::vector<double>> kept(x.size());

@@ -27,11 +27,11 @@ ordered_json optional_number(const std::optional<T>& value) {
 }
 
 ordered_json factor_json(const Factor& factor) {
-  return {{"name", factor.name},     {"pointer", factor.pointer},
-          {"label", factor.label},   {"symbol", factor.symbol},
-          {"unit", factor.unit},     {"centre", number(factor.centre)},
-          {"step", number(factor.step)},
-          {"scale", factor.scale == FactorScale::logarithmic ? "logarithmic" : "linear"}};
+  return {
+      {"name", factor.name},         {"pointer", factor.pointer},
+      {"label", factor.label},       {"symbol", factor.symbol},
+      {"unit", factor.unit},         {"centre", number(factor.centre)},
+      {"step", number(factor.step)}, {"scale", factor.scale == FactorScale::logarithmic ? "logarithmic" : "linear"}};
 }
 
 ordered_json prediction_json(const Prediction& prediction) {
@@ -59,8 +59,12 @@ ordered_json bootstrap_json(const BootstrapRegion& bootstrap, const std::vector<
 
 ordered_json region_json(const Solution& solution, const std::vector<Factor>& factors) {
   const ConfidenceRegion& region = solution.region;
-  ordered_json json{{"level", region.level},           {"lower", {}}, {"upper", {}},        {"determined", {}},
-                    {"interval", {{"lower", {}}, {"upper", {}}}}, {"degrees_of_freedom", region.df},
+  ordered_json json{{"level", region.level},
+                    {"lower", {}},
+                    {"upper", {}},
+                    {"determined", {}},
+                    {"interval", {{"lower", {}}, {"upper", {}}}},
+                    {"degrees_of_freedom", region.df},
                     {"directions", ordered_json::array()}};
   for (std::size_t j = 0; j < factors.size(); ++j) {
     const std::string& pointer = factors[j].pointer;
@@ -78,9 +82,11 @@ ordered_json region_json(const Solution& solution, const std::vector<Factor>& fa
 }
 
 ordered_json verification_of(const Verification& v) {
-  return {{"target", number(v.target)}, {"mean", number(v.mean)},           {"sd", number(v.sd)},
-          {"n", v.values.size()},       {"bias", number(v.bias)},           {"tolerance", number(v.tolerance)},
-          {"within", v.within},         {"predicted", optional_number(v.predicted)}, {"values", v.values}};
+  return {{"target", number(v.target)}, {"mean", number(v.mean)},
+          {"sd", number(v.sd)},         {"n", v.values.size()},
+          {"bias", number(v.bias)},     {"tolerance", number(v.tolerance)},
+          {"within", v.within},         {"predicted", optional_number(v.predicted)},
+          {"values", v.values}};
 }
 
 }  // namespace
@@ -94,7 +100,7 @@ ordered_json targets_json(const std::vector<Target>& targets) {
 }
 
 ordered_json design_json(const Design& design, const std::vector<std::uint64_t>& seeds) {
-  ordered_json json{{"factors", ordered_json::array()}, {"alpha", number(design.alpha)},    {"coded", design.coded},
+  ordered_json json{{"factors", ordered_json::array()}, {"alpha", number(design.alpha)}, {"coded", design.coded},
                     {"real", real_matrix(design)},      {"kind", ordered_json::array()}, {"seeds", seeds}};
   for (const Factor& factor : design.factors) json["factors"].push_back(factor_json(factor));
   for (PointKind kind : design.kind) json["kind"].push_back(word(kind));
@@ -140,12 +146,10 @@ ordered_json parameters_json(const std::vector<Factor>& factors, const std::vect
 
 ordered_json solution_json(const Solution& solution, const std::vector<Factor>& factors,
                            const std::vector<Target>& targets) {
-  ordered_json json{{"parameters", parameters_json(factors, solution.real)},
-                    {"coded", solution.point.x},
-                    {"desirability", number(solution.point.desirability)},
-                    {"within_tolerance", solution.point.within_tolerance},
-                    {"free_directions", solution.point.free_directions},
-                    {"predicted", ordered_json::object()}};
+  ordered_json json{
+      {"parameters", parameters_json(factors, solution.real)}, {"coded", solution.point.x},
+      {"desirability", number(solution.point.desirability)},   {"within_tolerance", solution.point.within_tolerance},
+      {"free_directions", solution.point.free_directions},     {"predicted", ordered_json::object()}};
   for (std::size_t r = 0; r < targets.size(); ++r) {
     json["predicted"][targets[r].property] = prediction_json(solution.predicted[r]);
   }

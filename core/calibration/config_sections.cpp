@@ -23,7 +23,8 @@ const ordered_json* Section::find(const std::string& key) const {
 
 void Section::fault(const std::string& key, const std::string& what, const std::string& allowed) const {
   const ordered_json* value = key.empty() ? json_ : find(key);
-  faults_->push_back({key.empty() ? pointer_ : pointer_ + "/" + key, what, value ? value->dump().substr(0, 60) : "", allowed, ""});
+  faults_->push_back(
+      {key.empty() ? pointer_ : pointer_ + "/" + key, what, value ? value->dump().substr(0, 60) : "", allowed, ""});
 }
 
 const ordered_json* Section::expect(const std::string& key, bool required) const {

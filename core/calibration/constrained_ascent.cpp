@@ -9,8 +9,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kFirstStep = 0.1;    // coded
-constexpr double kLastStep = 1e-7;    // coded: far below any scatter of a parameter
+constexpr double kFirstStep = 0.1;  // coded
+constexpr double kLastStep = 1e-7;  // coded: far below any scatter of a parameter
 constexpr int kMostEvaluations = 2000;
 
 /// A function of the coded factors as OpenTURNS takes it.

@@ -21,7 +21,8 @@ void add_row(Design& design, std::vector<double> levels, PointKind kind) {
 /// OpenTURNS puts the centre first, then the corners in standard order.
 void add_corners(Design& design) {
   const OT::Sample corners = OT::Factorial(design.factors.size(), OT::Point(1, 1.0)).generate();
-  for (std::size_t row = 1; row < corners.getSize(); ++row) add_row(design, level_of(corners, row), PointKind::factorial);
+  for (std::size_t row = 1; row < corners.getSize(); ++row)
+    add_row(design, level_of(corners, row), PointKind::factorial);
 }
 
 /// OpenTURNS puts the centre first, then plus before minus on each axis.

@@ -16,8 +16,8 @@ struct Factor {
   std::string name;     ///< "x1", "x2", ...
   std::string pointer;  ///< JSON pointer in the run config, e.g. "/contacts/tensile_strength_mpa".
   std::string label, symbol, unit;
-  double centre = 0;  ///< Real value at the coded level 0.
-  double step = 1;    ///< Real units per coded unit; on the logarithmic scale a ratio above 1.
+  double centre = 0;                       ///< Real value at the coded level 0.
+  double step = 1;                         ///< Real units per coded unit; on the logarithmic scale a ratio above 1.
   std::optional<double> lower{}, upper{};  ///< Real values that no run may leave.
   FactorScale scale = FactorScale::linear;
 };

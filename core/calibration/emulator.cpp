@@ -18,11 +18,11 @@ struct Emulator::Fitted {
 
 namespace {
 
-constexpr double kDifference = 1e-4;    // coded: the Matern 5/2 mean is twice differentiable, so the error is near 1e-8
-constexpr double kShortest = 0.2;       // coded length scale: below the distance of any two distinct design points
-constexpr double kLongest = 20.0;       // coded length scale: a plane over the whole design
+constexpr double kDifference = 1e-4;  // coded: the Matern 5/2 mean is twice differentiable, so the error is near 1e-8
+constexpr double kShortest = 0.2;     // coded length scale: below the distance of any two distinct design points
+constexpr double kLongest = 20.0;     // coded length scale: a plane over the whole design
 constexpr double kMatern = 2.5;
-constexpr double kLeastNoise = 1e-6;    // of the values' spread: keeps the covariance of repeated points regular
+constexpr double kLeastNoise = 1e-6;  // of the values' spread: keeps the covariance of repeated points regular
 
 /// OpenTURNS reports on stderr what it does about its own defaults; our log says what matters.
 class Silence {
@@ -55,6 +55,7 @@ std::pair<double, double> spread_of(const std::vector<double>& values) {
   return {0.5 * (*high + *low), half > 0.0 ? half : 1.0};
 }
 
+/// Eq. (S31), the noise at its stated variance; Eq. (S32) fitted.
 OT::KrigingResult krige(const OT::Sample& inputs, const OT::Sample& outputs, double noise_variance) {
   const std::size_t k = inputs.getDimension();
   OT::KrigingAlgorithm algorithm(inputs, outputs, OT::MaternModel(OT::Point(k, 1.0), OT::Point(1, 1.0), kMatern),

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <openturns/DistFunc.hxx>
 #include <openturns/LeastSquaresMethod.hxx>
-#include <openturns/Student.hxx>
 
 #include "core/base/error.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr double kRounding = 1e-12;       // of the largest response: 20 terms of double precision, with room
-constexpr double kFullLeverage = 1e-9;    // 1 - h below this: the run's residual is rounding
-constexpr double kIndistinct = 1e-10;     // tolerated variance inflation of a term's coefficient is 1e10
+constexpr double kRounding = 1e-12;     // of the largest response: 20 terms of double precision, with room
+constexpr double kFullLeverage = 1e-9;  // 1 - h below this: the run's residual is rounding
+constexpr double kIndistinct = 1e-10;   // tolerated variance inflation of a term's coefficient is 1e10
 
 OT::Matrix design_matrix(const Observations& observed, const std::vector<Term>& terms) {
   OT::Matrix matrix(observed.y.size(), terms.size());
@@ -115,14 +115,13 @@ double largest_magnitude(const std::vector<double>& values) {
 /// Eq. (S5) and Eq. (S6).
 void fill_tests(LinearFit& fit, double largest) {
   fit.residual_sd = std::max(std::sqrt(fit.residual_sum_of_squares / fit.residual_df), kRounding * largest);
-  const OT::Student student(fit.residual_df);
   const std::size_t p = fit.terms.size();
   for (std::size_t i = 0; i < p; ++i) {
     const double error = fit.residual_sd * std::sqrt(fit.gram_inverse[i * p + i]);
     const double t = error > 0.0 ? fit.coefficients[i] / error : 0.0;
     fit.standard_errors.push_back(error);
     fit.t_values.push_back(t);
-    fit.p_values.push_back(2.0 * student.computeComplementaryCDF(std::abs(t)));
+    fit.p_values.push_back(2.0 * OT::DistFunc::pStudent(fit.residual_df, std::abs(t), true));
   }
 }
 

@@ -21,8 +21,8 @@ struct LinearFit {
   std::vector<Term> terms;
   std::vector<std::size_t> rows;
   std::vector<double> coefficients, standard_errors, t_values, p_values;  ///< p each.
-  std::vector<double> gram_inverse;                                      ///< (X'X)^-1, p by p.
-  std::vector<double> projection;            ///< (X'X)^-1 X', p by n in rows of n: coefficients = projection y.
+  std::vector<double> gram_inverse;                                       ///< (X'X)^-1, p by p.
+  std::vector<double> projection;                    ///< (X'X)^-1 X', p by n in rows of n: coefficients = projection y.
   std::vector<double> fitted, residuals, leverages;  ///< n each.
   std::vector<double> studentised;  ///< Externally studentised residuals, n; NaN where a run has leverage 1.
   double residual_sum_of_squares = 0, total_sum_of_squares = 0;
@@ -33,8 +33,8 @@ struct LinearFit {
 };
 
 /// Ordinary least squares by QR, Eqs. (S4)-(S9). A residual scatter below 1e-12 of the largest response counts as that
-/// much: it is the rounding of exact data, about which tests say nothing. Throws Error(config) naming the response where
-/// there are too few runs, or where the runs cannot tell two terms apart.
+/// much: it is the rounding of exact data, about which tests say nothing. Throws Error(config) naming the response
+/// where there are too few runs, or where the runs cannot tell two terms apart.
 LinearFit fit_terms(const Observations& observed, const std::vector<Term>& terms);
 
 /// Place of a term in the fit, if it is there.

@@ -41,7 +41,10 @@ ordered_json anova_json(const Anova& anova) {
 
 ordered_json lack_of_fit_json(const std::optional<LackOfFit>& lack) {
   if (!lack) return nullptr;
-  return {{"df", lack->df}, {"sum_of_squares", number(lack->sum_of_squares)}, {"f", number(lack->f)}, {"p", number(lack->p)}};
+  return {{"df", lack->df},
+          {"sum_of_squares", number(lack->sum_of_squares)},
+          {"f", number(lack->f)},
+          {"p", number(lack->p)}};
 }
 
 ordered_json pure_error_json(const std::optional<PureError>& pure) {

@@ -6,8 +6,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kStride = 0.05;         // coded: short beside the curvature of a quadratic over the design
-constexpr double kShortestStride = 1e-4; // coded: a ridge is reached
+constexpr double kStride = 0.05;          // coded: short beside the curvature of a quadratic over the design
+constexpr double kShortestStride = 1e-4;  // coded: a ridge is reached
 
 double norm(const std::vector<double>& x) {
   double sum = 0.0;
@@ -31,7 +31,8 @@ std::vector<double> unit(std::vector<double> vector) {
 std::vector<double> ascend(const ResponseSystem& system, double reach, const DesirabilityOptions& options) {
   std::vector<double> x(system.factors(), 0.0);
   double stride = kStride, height = merit(system, x, options);
-  for (std::vector<double> gradient = merit_gradient(system, x, options); norm(gradient) > 0.0 && stride > kShortestStride;) {
+  for (std::vector<double> gradient = merit_gradient(system, x, options);
+       norm(gradient) > 0.0 && stride > kShortestStride;) {
     const std::vector<double> next = forward(x, unit(gradient), stride);
     const double next_height = merit(system, next, options);
     if (norm(next) > reach || !(next_height > height)) {

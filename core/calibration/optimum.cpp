@@ -10,9 +10,9 @@
 namespace asperity {
 namespace {
 
-constexpr double kRimRounding = 1e-9;     // coded: a solution on the sphere itself is inside
-constexpr std::size_t kAscents = 8;       // best points that COBYLA starts from: it climbs, it need not search
-constexpr double kWithin = 1.0 + 1e-9;    // a miss of one tolerance, with its rounding
+constexpr double kRimRounding = 1e-9;   // coded: a solution on the sphere itself is inside
+constexpr std::size_t kAscents = 8;     // best points that COBYLA starts from: it climbs, it need not search
+constexpr double kWithin = 1.0 + 1e-9;  // a miss of one tolerance, with its rounding
 
 double norm(const std::vector<double>& x) {
   double sum = 0.0;
@@ -40,7 +40,8 @@ std::vector<std::vector<double>> start_points(const SearchRegion& region, std::s
 Optimum judged(const ResponseSystem& system, std::vector<double> x, const SearchOptions& options) {
   Optimum point{std::move(x), 0.0, true, 0};
   point.desirability = overall_desirability(system.values(point.x), system.targets(), options.desirability);
-  for (double miss : system.misses(point.x)) point.within_tolerance = point.within_tolerance && std::abs(miss) < kWithin;
+  for (double miss : system.misses(point.x))
+    point.within_tolerance = point.within_tolerance && std::abs(miss) < kWithin;
   point.free_directions = free_directions(system, point.x);
   return point;
 }
@@ -120,12 +121,16 @@ Optima find_optima(const ResponseSystem& system, const SearchRegion& region, con
   optima.compromise = judged(system, promising.front(), options);
   for (const std::vector<double>& start : promising) {
     const Optimum top = judged(system, climb(system, region, start, options.desirability), options);
-    add_solution(optima.solutions, top, system, region, options);
     const double gained = merit(system, top.x, options.desirability);
     if (gained > merit(system, optima.compromise.x, options.desirability)) optima.compromise = top;
   }
+  if (optima.solutions.empty()) add_solution(optima.solutions, optima.compromise, system, region, options);
   std::sort(optima.solutions.begin(), optima.solutions.end(),
             [](const Optimum& a, const Optimum& b) { return a.desirability > b.desirability; });
+  const bool solved = !optima.solutions.empty();
+  if (solved && optima.solutions.front().desirability >= optima.compromise.desirability) {
+    optima.compromise = optima.solutions.front();
+  }
   return optima;
 }
 

@@ -38,12 +38,12 @@ struct Optimum {
 
 struct Optima {
   std::vector<Optimum> solutions;  ///< All distinct ones inside the region, most desirable first; empty: none.
-  Optimum compromise;              ///< The most desirable point of the region, or nearest to the targets where all is 0.
+  Optimum compromise;  ///< The most desirable point of the region, or nearest to the targets where all is 0.
 };
 
-/// Levenberg-Marquardt for the misses of Eq. (S17) from every start, all that converge inside the region; and COBYLA on
-/// the merit, Eq. (S22), from the best of them. A solution is a point that either finds and where every response is
-/// within tolerance.
+/// Levenberg-Marquardt for the misses of Eq. (S17) from every start: its ends inside the region where every response is
+/// within tolerance are the solutions. COBYLA on the merit, Eq. (S22), from the best points: its best end is the
+/// compromise, and the only solution where it is within tolerance although no end of the first kind is inside.
 Optima find_optima(const ResponseSystem& system, const SearchRegion& region, const SearchOptions& options);
 
 /// Where Levenberg-Marquardt ends that starts at x: a point where the sum of squared misses cannot be lowered. It may

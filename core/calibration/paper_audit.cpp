@@ -117,8 +117,8 @@ AuditedEquation audit_equation(const DataCalibration& calibration, const Analysi
                                const PublishedEquation& equation) {
   const std::string& property = equation.property;
   const auto by_name = [&](const auto& item) { return item.name == property; };
-  const Target& target =
-      named(calibration.targets, [&](const Target& t) { return t.property == property; }, property);
+  const Target& target = named(
+      calibration.targets, [&](const Target& t) { return t.property == property; }, property);
   const LinearFit& fit = named(analysis.models, by_name, property).full;
   const Response& response = named(calibration.responses.list, by_name, property);
   AuditedEquation audited;

@@ -13,12 +13,12 @@ bool is_printed_number(const std::string& text);
 
 /// One coefficient, printed and fitted.
 struct AuditedTerm {
-  std::string name;        ///< As printed.
-  std::string meant;       ///< What it must be: other than `name` where a term is printed twice and the fit tells which
-                           ///< missing one has this coefficient.
+  std::string name;   ///< As printed.
+  std::string meant;  ///< What it must be: other than `name` where a term is printed twice and the fit tells which
+                      ///< missing one has this coefficient.
   std::string printed;
-  double fitted = 0;       ///< Coefficient of `meant`.
-  bool agrees = false;     ///< The fitted coefficient rounds to the printed digits.
+  double fitted = 0;    ///< Coefficient of `meant`.
+  bool agrees = false;  ///< The fitted coefficient rounds to the printed digits.
 };
 
 struct AuditedEquation {
@@ -29,11 +29,11 @@ struct AuditedEquation {
   double at_solution_mended = 0;      ///< With the misprints mended.
   double at_solution_fitted = 0;      ///< With the fitted coefficients.
   double claimed = 0;                 ///< The target that the solution is said to reach.
-  double smallest_run = 0, largest_run = 0;        ///< Of the table.
-  double smallest_inside = 0, largest_inside = 0;  ///< Of the fitted full quadratic inside |x| <= alpha.
+  double smallest_run = 0, largest_run = 0;          ///< Of the table.
+  double smallest_inside = 0, largest_inside = 0;    ///< Of the fitted full quadratic inside |x| <= alpha.
   double smallest_printed = 0, largest_printed = 0;  ///< Of the printed one, misprints mended, there.
-  bool target_inside = false;         ///< The claimed value lies between those.
-  double centre_scatter = 0;          ///< Relative standard deviation over the centre points.
+  bool target_inside = false;                        ///< The claimed value lies between those.
+  double centre_scatter = 0;                         ///< Relative standard deviation over the centre points.
   std::optional<double> claimed_scatter;
 };
 
@@ -41,8 +41,8 @@ struct AuditedEquation {
 struct AuditedFactor {
   Factor stated;
   double tabled_centre = 0, tabled_step = 0;  ///< Least squares of the table's real values on its coded ones.
-  double solution = 0;       ///< The published solution decoded with the stated coding.
-  std::string printed;       ///< As printed.
+  double solution = 0;                        ///< The published solution decoded with the stated coding.
+  std::string printed;                        ///< As printed.
   bool solution_agrees = false;
   double solution_by_table = 0;  ///< The same decoded with the table's coding.
 };
@@ -54,9 +54,9 @@ struct PaperAudit {
   std::size_t runs = 0, centre_points = 0;
   std::vector<AuditedEquation> equations;
   std::vector<AuditedFactor> factors;
-  bool solved = false;            ///< The reduced models have a solution inside the design.
-  bool solved_in_full = false;    ///< The full quadratics have one.
-  Solution compromise;            ///< Best point of the design, by the reduced models.
+  bool solved = false;          ///< The reduced models have a solution inside the design.
+  bool solved_in_full = false;  ///< The full quadratics have one.
+  Solution compromise;          ///< Best point of the design, by the reduced models.
 };
 
 /// The audit of a calibration that has something published; `analysis` is its own. Throws Error(config) where an

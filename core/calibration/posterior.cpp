@@ -13,8 +13,8 @@ using Eigen::VectorXd;
 
 constexpr int kMostSteps = 50;
 constexpr double kSmallStep = 1e-6;  // coded: far below any scatter of a parameter
-constexpr std::size_t kLooks = 128;   // points of the region whose cost is looked at ...
-constexpr std::size_t kStarts = 4;    // ... and how many of them are started from: few modes, as over a quadratic
+constexpr std::size_t kLooks = 128;  // points of the region whose cost is looked at ...
+constexpr std::size_t kStarts = 4;   // ... and how many of them are started from: few modes, as over a quadratic
 
 /// Whitened misses and their derivatives at theta, the prior's included: cost = |residual|^2.
 struct Linear {

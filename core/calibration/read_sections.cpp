@@ -38,7 +38,8 @@ Factor read_factor(const std::string& index, const Section& section) {
   factor.step = section.number("step");
   factor.lower = optional_number(section, "lower");
   factor.upper = optional_number(section, "upper");
-  factor.scale = section.choice("scale", {"linear", "logarithmic"}) == 1 ? FactorScale::logarithmic : FactorScale::linear;
+  factor.scale =
+      section.choice("scale", {"linear", "logarithmic"}) == 1 ? FactorScale::logarithmic : FactorScale::linear;
   return factor;
 }
 

@@ -81,8 +81,9 @@ RefinementStep judge(const Refinement& refinement, const Batch& batch, double le
 
 }  // namespace
 
-Refinement start_refinement(std::vector<Target> targets, std::vector<double> noise_sd, std::vector<std::vector<double>> x,
-                            std::vector<std::vector<double>> y, const RefinementOptions& options) {
+Refinement start_refinement(std::vector<Target> targets, std::vector<double> noise_sd,
+                            std::vector<std::vector<double>> x, std::vector<std::vector<double>> y,
+                            const RefinementOptions& options) {
   Refinement refinement;
   refinement.targets = std::move(targets);
   refinement.noise_sd = std::move(noise_sd);

@@ -9,11 +9,11 @@
 namespace asperity {
 
 struct RefinementOptions {
-  SearchRegion region;        ///< No proposal leaves it.
-  double prior_sd = 1.0;      ///< Coded, of every factor about the design's centre before any run.
-  std::size_t batch = 3;      ///< Runs (meshes) a proposal.
+  SearchRegion region;    ///< No proposal leaves it.
+  double prior_sd = 1.0;  ///< Coded, of every factor about the design's centre before any run.
+  std::size_t batch = 3;  ///< Runs (meshes) a proposal.
   std::size_t most_steps = 6;
-  double level = 0.95;        ///< The misfit counts as scatter up to this quantile of chi squared.
+  double level = 0.95;  ///< The misfit counts as scatter up to this quantile of chi squared.
 };
 
 /// Real runs at one parameter set.
@@ -24,12 +24,12 @@ struct Batch {
 
 /// One batch and what it showed.
 struct RefinementStep {
-  std::vector<double> x, sd;    ///< Coded, with the posterior standard deviation when it was proposed.
-  std::vector<double> mean;     ///< Of the batch, one a target.
-  double chi2 = 0;              ///< Misfit of the batch's mean, Eq. (S34).
+  std::vector<double> x, sd;  ///< Coded, with the posterior standard deviation when it was proposed.
+  std::vector<double> mean;   ///< Of the batch, one a target.
+  double chi2 = 0;            ///< Misfit of the batch's mean, Eq. (S34).
   bool within_noise = false;
   bool within_tolerance = false;
-  std::size_t runs = 0;         ///< Good ones of the batch.
+  std::size_t runs = 0;  ///< Good ones of the batch.
 };
 
 /// Everything known so far; a value that each step replaces.
@@ -41,12 +41,13 @@ struct Refinement {
   std::vector<double> theta;           ///< Most probable parameters, coded.
   std::vector<double> covariance;      ///< Their posterior covariance, k by k.
   std::vector<RefinementStep> steps;
-  bool done = false;                   ///< A batch met the targets within scatter, or the steps are used up.
+  bool done = false;  ///< A batch met the targets within scatter, or the steps are used up.
 };
 
 /// Begins with the design's runs; theta and covariance are already the emulator's. `y` has targets as columns.
-Refinement start_refinement(std::vector<Target> targets, std::vector<double> noise_sd, std::vector<std::vector<double>> x,
-                            std::vector<std::vector<double>> y, const RefinementOptions& options);
+Refinement start_refinement(std::vector<Target> targets, std::vector<double> noise_sd,
+                            std::vector<std::vector<double>> x, std::vector<std::vector<double>> y,
+                            const RefinementOptions& options);
 
 /// The parameters to run next, coded: the mode of Eq. (S33).
 std::vector<double> propose(const Refinement& refinement);

@@ -2,8 +2,8 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <openturns/DistFunc.hxx>
 #include <openturns/FisherSnedecor.hxx>
-#include <openturns/Student.hxx>
 
 namespace asperity {
 namespace {
@@ -12,8 +12,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double kRidge = 1e-12;      // of a response's variance: responses whose scatter is the same but for rounding
-constexpr double kUnbounded = 1e6;    // design extents: a parameter this loose is not told at all
+constexpr double kRidge = 1e-12;  // of a response's variance: responses whose scatter is the same but for rounding
 
 MatrixXd matrix_of(const std::vector<double>& values, std::size_t rows) {
   const auto m = static_cast<Eigen::Index>(rows);
@@ -27,7 +26,7 @@ MatrixXd root_of_covariance(const ResponseSystem& system, const std::vector<doub
   return covariance.llt().matrixL();
 }
 
-double student_quantile(double probability, int df) { return OT::Student(df).computeQuantile(probability)[0]; }
+double student_quantile(double probability, int df) { return OT::DistFunc::qStudent(df, probability); }
 
 /// Factor of the standard deviation for an interval of one parameter, and of k at once by Bonferroni's inequality.
 double reach_of_one(double level, int df) { return student_quantile(0.5 + 0.5 * level, df); }
@@ -45,14 +44,14 @@ void fill_directions(ConfidenceRegion& region, const MatrixXd& vectors, const Ve
   }
 }
 
-/// Eq. (S23); a direction that no response tells gets a variance far beyond the design instead of an infinite one, so
-/// that the directions that are told keep theirs.
+/// Eq. (S23). No interval along a direction is longer than the design to either side: parameters further off are not
+/// asked for, and a direction that no response tells would else make every parameter that it leans on unbounded.
 MatrixXd parameter_covariance(const ConfidenceRegion& region, double alpha) {
   const auto k = static_cast<Eigen::Index>(region.directions.size());
   MatrixXd covariance = MatrixXd::Zero(k, k);
   for (std::size_t i = 0; i < region.directions.size(); ++i) {
     const Eigen::Map<const VectorXd> v(region.directions[i].data(), k);
-    const double sd = 1.0 / std::max(region.singular_values[i], 1.0 / (kUnbounded * alpha));
+    const double sd = 1.0 / std::max(region.singular_values[i], reach_of_one(region.level, region.df) / (2.0 * alpha));
     covariance += sd * sd * v * v.transpose();
   }
   return covariance;

@@ -10,8 +10,9 @@ namespace asperity {
 /// Confidence region of a solution, coded, by the delta method.
 struct ConfidenceRegion {
   double level = 0.95;
-  int df = 0;                      ///< Degrees of freedom of the scatter behind it.
-  std::vector<double> covariance;  ///< Of the parameters, k by k, Eq. (S23).
+  int df = 0;  ///< Degrees of freedom of the scatter behind it.
+  /// Of the parameters, k by k, Eq. (S23); along a direction never more than what the design's diameter allows.
+  std::vector<double> covariance;
   /// Of one parameter by itself: holds it with probability `level`, Eq. (S25).
   std::vector<double> interval_lower, interval_upper;
   /// Of all parameters at once: the box holds them together with probability `level` or more, Eq. (S26).
@@ -37,8 +38,9 @@ bool in_joint_region(const ResponseSystem& system, const std::vector<double>& x,
 struct BootstrapRegion {
   std::size_t draws = 0;
   std::size_t lost = 0;  ///< Draws whose solution vanished or left 3 alpha.
-  std::vector<double> lower, upper;  ///< Percentiles of each parameter at the level, coded; lost draws count as beyond both.
-  std::vector<double> sd;            ///< Over the draws that are not lost.
+  std::vector<double> lower,
+      upper;               ///< Percentiles of each parameter at the level, coded; lost draws count as beyond both.
+  std::vector<double> sd;  ///< Over the draws that are not lost.
 };
 
 struct BootstrapOptions {
@@ -47,7 +49,7 @@ struct BootstrapOptions {
 };
 
 /// Parametric bootstrap: refits to simulated responses and solves again from x.
-BootstrapRegion bootstrap_region(const ResponseSystem& system, const std::vector<double>& x,
-                                 double level, double alpha, const BootstrapOptions& options);
+BootstrapRegion bootstrap_region(const ResponseSystem& system, const std::vector<double>& x, double level, double alpha,
+                                 const BootstrapOptions& options);
 
 }  // namespace asperity

@@ -13,8 +13,8 @@ struct ResidualChecks {
   /// Kolmogorov-Smirnov and chi-squared tests assume known ones or many runs). Residuals of a fit are a little
   /// correlated, so the p value is a guide.
   double normality_p = std::numeric_limits<double>::quiet_NaN();
-  double largest_studentised = std::numeric_limits<double>::quiet_NaN();  ///< With its sign.
-  std::size_t row_of_largest = 0;                                          ///< Row of the design.
+  double largest_studentised = std::numeric_limits<double>::quiet_NaN();    ///< With its sign.
+  std::size_t row_of_largest = 0;                                           ///< Row of the design.
   double run_order_correlation = std::numeric_limits<double>::quiet_NaN();  ///< Of the residuals with the run's place.
 };
 

@@ -1,7 +1,7 @@
 #include "core/calibration/response_model.hpp"
 
 #include <cmath>
-#include <openturns/Student.hxx>
+#include <openturns/DistFunc.hxx>
 
 #include "core/base/error.hpp"
 #include "core/config/schema_lookup.hpp"
@@ -13,16 +13,14 @@ double fitted_scale(const Response& response, std::size_t row) {
   const double value = response.values[row];
   if (response.transform == Transform::none) return value;
   if (value > 0.0) return std::log(value);
-  throw Error(ErrorKind::config,
-              {{"/responses/" + response.name + "/" + std::to_string(row), "has no logarithm", number_text(value),
-                "above 0", "model the response as it is"}});
+  throw Error(ErrorKind::config, {{"/responses/" + response.name + "/" + std::to_string(row), "has no logarithm",
+                                   number_text(value), "above 0", "model the response as it is"}});
 }
 
 void require_one_value_a_run(const Design& design, const Response& response) {
   if (response.values.size() == design.coded.size()) return;
-  throw Error(ErrorKind::config,
-              {{"/responses/" + response.name, "has not one value a run", std::to_string(response.values.size()),
-                std::to_string(design.coded.size()), ""}});
+  throw Error(ErrorKind::config, {{"/responses/" + response.name, "has not one value a run",
+                                   std::to_string(response.values.size()), std::to_string(design.coded.size()), ""}});
 }
 
 /// x' (X'X)^-1 x, the variance of the fit at x in units of the residual variance.
@@ -84,7 +82,7 @@ Prediction predict(const ResponseModel& model, const std::vector<double>& x, dou
   const double mean = evaluate(fit, x), variance = relative_variance(fit, x);
   const double sd_mean = fit.residual_sd * std::sqrt(variance);
   const double sd_run = fit.residual_sd * std::sqrt(1.0 + variance);
-  const double reach = OT::Student(fit.residual_df).computeQuantile(0.5 + 0.5 * level)[0] * sd_run;
+  const double reach = OT::DistFunc::qStudent(fit.residual_df, 0.5 + 0.5 * level) * sd_run;
   if (model.transform == Transform::none) return {mean, sd_mean, sd_run, mean - reach, mean + reach};
   const double value = std::exp(mean);
   return {value, value * sd_mean, value * sd_run, std::exp(mean - reach), std::exp(mean + reach)};

@@ -50,9 +50,9 @@ struct ResponseModel {
 
 /// What the reduced model says of one point, on the response's own scale.
 struct Prediction {
-  double value = 0;    ///< Mean over meshes; with the logarithm their median.
-  double sd_mean = 0;  ///< Standard deviation of that mean, from the coefficients' covariance.
-  double sd_run = 0;   ///< Standard deviation of one new run: the mesh scatter is added.
+  double value = 0;             ///< Mean over meshes; with the logarithm their median.
+  double sd_mean = 0;           ///< Standard deviation of that mean, from the coefficients' covariance.
+  double sd_run = 0;            ///< Standard deviation of one new run: the mesh scatter is added.
   double lower = 0, upper = 0;  ///< Interval for one new run at the level asked for.
 };
 

@@ -20,7 +20,8 @@ void fill_statistics(Verification& verification) {
 
 Verification verify(const Target& target, std::vector<double> values, std::optional<double> predicted) {
   if (values.empty()) {
-    throw Error(ErrorKind::config, {{"/verification/" + target.property, "has no run with a value", "0", "1 or more", ""}});
+    throw Error(ErrorKind::config,
+                {{"/verification/" + target.property, "has no run with a value", "0", "1 or more", ""}});
   }
   Verification result{target.property, target.value, target.tolerance, std::move(values), 0, 0, 0, false, predicted};
   fill_statistics(result);

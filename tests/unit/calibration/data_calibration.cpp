@@ -18,8 +18,9 @@ namespace {
 ordered_json table4_config() { return ordered_json::parse(std::ifstream(examples::kTable4)); }
 
 /// A folder with this config and Table 4's runs, `edit` applied to the table's text.
-fs::path put(const std::string& name, const ordered_json& config,
-             const std::function<void(std::string&)>& edit = [](std::string&) {}) {
+fs::path put(
+    const std::string& name, const ordered_json& config,
+    const std::function<void(std::string&)>& edit = [](std::string&) {}) {
   const fs::path folder = fs::path(ASPERITY_TEST_SCRATCH) / "data_calibration" / name;
   fs::create_directories(folder);
   std::ifstream stream(examples::kTable4.parent_path() / "paper_table4.csv");
@@ -49,9 +50,9 @@ TEST_CASE("calibration.json of Table 4 has the agreed keys in order") {
   const ordered_json json = ordered_json::parse(std::ifstream(folder / "calibration.json"));
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
-  CHECK(keys == std::vector<std::string>{"name", "kind", "targets", "elastic", "design", "responses", "bad_runs", "models",
-                                         "rounds", "solutions", "compromise", "routes", "parameters", "configs",
-                                         "verification", "failure_mode", "trade_off", "cost", "warnings"});
+  CHECK(keys == std::vector<std::string>{"name", "kind", "targets", "elastic", "design", "responses", "bad_runs",
+                                         "models", "rounds", "solutions", "compromise", "routes", "parameters",
+                                         "configs", "verification", "failure_mode", "trade_off", "cost", "warnings"});
   CHECK(json["kind"] == "data");
   CHECK(json["design"]["coded"].size() == 20);
   CHECK(json["design"]["kind"][8] == "star");
@@ -107,9 +108,13 @@ TEST_CASE("what is wrong with a config is told all at once, each with its pointe
   config["analysis"]["region"] = "circle";
   const std::string message = message_of("faults", config);
   CHECK_THAT(message, Catch::Contains("/targets/cohesion_mpa/value: is no number (found \"much\""));
-  CHECK_THAT(message, Catch::Contains("/targets/friction_angle_deg/tolerance: is out of range (found -0.05; allowed: above 0)"));
+  CHECK_THAT(message,
+             Catch::Contains("/targets/friction_angle_deg/tolerance: is out of range (found -0.05; allowed: above 0)"));
   CHECK_THAT(message, Catch::Contains("/factors/1/centre: is missing"));
-  CHECK_THAT(message, Catch::Contains("/factors/2/scale: is not one of the allowed words (found \"cubic\"; allowed: \"linear\", \"logarithmic\")"));
+  CHECK_THAT(
+      message,
+      Catch::Contains(
+          "/factors/2/scale: is not one of the allowed words (found \"cubic\"; allowed: \"linear\", \"logarithmic\")"));
   CHECK_THAT(message, Catch::Contains("/analysis/elimination_level: is out of range"));
   CHECK_THAT(message, Catch::Contains("/analysis/region: is not one of the allowed words"));
 }
@@ -129,7 +134,8 @@ TEST_CASE("a target that no response has, and a wrong table, are one clear error
   CHECK_THAT(message_of("columns", config), Catch::Contains("/data/coded_columns: has not one column a factor"));
   config = table4_config();
   config["published"]["equations"]["cohesion_mpa"]["terms"][3] = {"x4", "0.15"};
-  CHECK_THAT(message_of("term", config), Catch::Contains("/published/equations/cohesion_mpa/terms/3: is no printed term"));
+  CHECK_THAT(message_of("term", config),
+             Catch::Contains("/published/equations/cohesion_mpa/terms/3: is no printed term"));
   config = table4_config();
   config.erase("data");
   CHECK_THAT(message_of("no data", config), Catch::Contains("/data: is missing"));
@@ -137,9 +143,17 @@ TEST_CASE("a target that no response has, and a wrong table, are one clear error
 
 TEST_CASE("keys of the analysis reach the options") {
   ordered_json config = table4_config();
-  config["analysis"] = {{"elimination_level", 0.1}, {"hierarchical", false}, {"region", "cube"}, {"desirability_half_range", 0.5},
-                        {"desirability_exponent", 2}, {"starts", 10}, {"cluster_radius", 0.2}, {"level", 0.9},
-                        {"most_move", 0.5}, {"bootstrap_draws", 20}, {"seed", 9}};
+  config["analysis"] = {{"elimination_level", 0.1},
+                        {"hierarchical", false},
+                        {"region", "cube"},
+                        {"desirability_half_range", 0.5},
+                        {"desirability_exponent", 2},
+                        {"starts", 10},
+                        {"cluster_radius", 0.2},
+                        {"level", 0.9},
+                        {"most_move", 0.5},
+                        {"bootstrap_draws", 20},
+                        {"seed", 9}};
   config["data"]["response_columns"]["cohesion_mpa"] = {{"column", "cohesion_mpa"}, {"transform", "logarithm"}};
   const DataCalibration c = read_data_calibration(put("options", config));
   CHECK(c.options.model.elimination_level == 0.1);

@@ -32,7 +32,8 @@ TEST_CASE("three factors give the rows of the paper's Table 4 and the levels of 
     }
     CHECK(design.kind[i] == paper.design.kind[i]);
   }
-  const double levels[3][5] = {{0.76, 2.4, 4.80, 7.20, 8.84}, {0.60, 1.88, 3.75, 5.63, 6.90}, {29.91, 34, 40, 46, 50.09}};
+  const double levels[3][5] = {
+      {0.76, 2.4, 4.80, 7.20, 8.84}, {0.60, 1.88, 3.75, 5.63, 6.90}, {29.91, 34, 40, 46, 50.09}};
   const double coded[5] = {-design.alpha, -1, 0, 1, design.alpha};
   for (std::size_t j = 0; j < 3; ++j) {
     for (std::size_t i = 0; i < 5; ++i) {

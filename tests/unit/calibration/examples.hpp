@@ -15,7 +15,8 @@ namespace asperity::examples {
 using Point = std::vector<double>;
 using Function = std::function<double(const Point&)>;
 
-inline const std::filesystem::path kTable4 = std::filesystem::path(ASPERITY_SOURCE_DIR) / "configs/calibration/paper_table4.json";
+inline const std::filesystem::path kTable4 =
+    std::filesystem::path(ASPERITY_SOURCE_DIR) / "configs/calibration/paper_table4.json";
 
 /// Factors of centre 10, 20, ... and step 1, 2, ...
 inline std::vector<Factor> plain_factors(std::size_t k) {

@@ -21,10 +21,11 @@ const Design& design(std::size_t k) {
 
 SearchRegion sphere(std::size_t k) { return {RegionShape::sphere, design(k).alpha}; }
 
-ResponseSystem two_responses(const examples::Function& a, double target_a, const examples::Function& b, double target_b) {
-  return examples::full_system(
-      design(2), {examples::response_of("a", design(2), a), examples::response_of("b", design(2), b)},
-      {target_a, target_b});
+ResponseSystem two_responses(const examples::Function& a, double target_a, const examples::Function& b,
+                             double target_b) {
+  return examples::full_system(design(2),
+                               {examples::response_of("a", design(2), a), examples::response_of("b", design(2), b)},
+                               {target_a, target_b});
 }
 
 double parabola(const Point& x) { return 10.0 + x[0] * x[0]; }
@@ -50,7 +51,8 @@ TEST_CASE("both of two solutions are found, at their place") {
 }
 
 TEST_CASE("where one of two solutions lies outside the design, only the other counts") {
-  // x1^2 = 1; x1 + 2 x2 = 3.4: (1, 1.2), outside the sphere of radius 1.41, and (-1, 2.2); then 2 x2 + x1 = 1: (1, 0), (-1, 1)
+  // x1^2 = 1; x1 + 2 x2 = 3.4: (1, 1.2), outside the sphere of radius 1.41, and (-1, 2.2); then 2 x2 + x1 = 1: (1, 0),
+  // (-1, 1)
   CHECK(find_optima(two_responses(parabola, 11.0, slope, 10.2), sphere(2), {}).solutions.size() == 2);
   const Optima one = find_optima(two_responses(parabola, 11.0, slope, 11.4), sphere(2), {});
   REQUIRE(one.solutions.size() == 1);
@@ -77,7 +79,8 @@ TEST_CASE("where no solution is, none is told, and the compromise is the best po
 
 TEST_CASE("the cube reaches further than the sphere, into its corners") {
   // slope at (1.41, 1.41) is 14.24; on the sphere it ends at 10 + 1.41 sqrt(5) = 13.16
-  const ResponseSystem system = two_responses(slope, 14.0, [](const Point& x) { return 10.0 + x[1]; }, 11.35);
+  const ResponseSystem system = two_responses(
+      slope, 14.0, [](const Point& x) { return 10.0 + x[1]; }, 11.35);
   CHECK(find_optima(system, sphere(2), {}).solutions.empty());
   const Optima optima = find_optima(system, {RegionShape::cube, design(2).alpha}, {});
   CHECK(optima.solutions.size() == 1);

@@ -11,8 +11,8 @@ using examples::Point;
 // The whole statistical layer on a model whose parameters are known: design, noisy runs, fits, solution, region.
 namespace {
 
-constexpr double kScatter = 0.03;    // of one mesh: what 2 mm triangles show
-constexpr int kMeshes = 5;           // behind each target
+constexpr double kScatter = 0.03;  // of one mesh: what 2 mm triangles show
+constexpr int kMeshes = 5;         // behind each target
 constexpr int kRepetitions = 20;
 
 /// Smooth, and no quadratics: exponentials, a hyperbolic tangent, a product.
@@ -101,7 +101,6 @@ void repeat(std::uint64_t seed, Recovery& recovery) {
 TEST_CASE("known parameters come back inside the stated regions in at least 18 of 20 repetitions") {
   Recovery recovery;
   for (std::uint64_t seed = 1; seed <= kRepetitions; ++seed) repeat(seed, recovery);
-  WARN(recovery.in_box << " " << recovery.in_joint << " " << recovery.intervals << " " << recovery.bootstrap);
   CHECK(recovery.in_box >= 18);
   CHECK(recovery.in_joint >= 18);
   // 60 intervals of one parameter at 95 %: 57 expected; 54 or more with a probability of 0.93.

@@ -20,7 +20,8 @@ ResponseSystem linear_system(std::uint64_t seed = 1) {
   std::vector<ResponseModel> models;
   std::vector<Target> targets{examples::target_of("a", 10.0), examples::target_of("b", 20.0)};
   models.push_back(fit_response(design, examples::response_of("a", design, first, 0.01, seed), {1.0, Hierarchy::free}));
-  models.push_back(fit_response(design, examples::response_of("b", design, second, 0.01, seed), {1.0, Hierarchy::free}));
+  models.push_back(
+      fit_response(design, examples::response_of("b", design, second, 0.01, seed), {1.0, Hierarchy::free}));
   return {models, targets};
 }
 
@@ -70,11 +71,15 @@ TEST_CASE("the covariance of predicted means holds the correlation of the respon
 TEST_CASE("the laboratory's own uncertainty widens the region") {
   const ResponseSystem exact = linear_system();
   std::vector<Target> targets = exact.targets();
-  targets[0].standard_error = 1.0;
+  targets[0].standard_error = 0.3;
   const ResponseSystem uncertain(exact.models(), targets);
   const Point x = least_misses(exact, {0.0, 0.0});
+  const std::vector<double> s = exact.covariance(x), wide = uncertain.covariance(x);
+  CHECK(wide[0] == Approx(s[0] + 0.09));
+  CHECK(wide[1] == s[1]);
+  // The target's 0.3 over the response's slope of about 1 adds to the parameter's scatter.
   const double narrow = confidence_region(exact, x, 0.95, 1.4).covariance[0];
-  CHECK(confidence_region(uncertain, x, 0.95, 1.4).covariance[0] == Approx(narrow + 1.0).epsilon(0.05));  // slope about 1
+  CHECK(confidence_region(uncertain, x, 0.95, 1.4).covariance[0] == Approx(narrow + 0.09).epsilon(0.1));
 }
 
 TEST_CASE("a factor that changes nothing is undetermined, the others stay determined") {

@@ -75,7 +75,8 @@ TEST_CASE("the analysis of variance adds up") {
 }
 
 TEST_CASE("pure error of the centre points, by hand") {
-  // sigma_t: 0.70 0.63 0.80 0.90 0.71 0.79, mean 0.755; squares of the misses .003025 .015625 .002025 .021025 .002025 .001225
+  // sigma_t: 0.70 0.63 0.80 0.90 0.71 0.79, mean 0.755; squares of the misses .003025 .015625 .002025 .021025 .002025
+  // .001225
   const Observations observed = observe(paper().design, paper().responses.list[0]);
   CHECK(pure_error(observed)->sum_of_squares == Approx(0.04495));
   CHECK(pure_error(observed)->df == 5);
@@ -134,8 +135,8 @@ TEST_CASE("bad runs are left out and keep their rows") {
 
 TEST_CASE("a response may be modelled as its logarithm") {
   const Design design = examples::plain_design(2);
-  Response response = examples::response_of(
-      "y", design, [](const Point& x) { return 2.0 * std::exp(0.5 * x[0] - 0.2 * x[1] * x[1]); });
+  Response response =
+      examples::response_of("y", design, [](const Point& x) { return 2.0 * std::exp(0.5 * x[0] - 0.2 * x[1] * x[1]); });
   response.transform = Transform::logarithm;
   const ResponseModel model = fit_response(design, response, {1.0, Hierarchy::hierarchical});
   CHECK(model.full.coefficients[0] == Approx(std::log(2.0)));
