@@ -135,16 +135,44 @@ void draw_forces(Drawing& drawing, const Frame& frame, const PictureOptions& opt
   draw_force_chains(drawing, frame, view, force_scale(frame, options, view, unit));
 }
 
-void draw_platens(Drawing& drawing, const Frame& frame, const View& view, double unit) {
-  if (!(frame.platen_y[1] > frame.platen_y[0])) return;
+void draw_flat_platen(Drawing& drawing, const Frame& frame, const View& view, double unit, int side) {
   const double part = frame.experiment == "brazilian" ? kPlatenOverDisc : kPlatenOverRectangle;
   const double half = 0.5 * part * view.specimen_mm.x;
+  const double face = frame.platen_y[at(side)], back = face + (side == 0 ? -1 : 1) * view.platen_mm;
+  const Vec2 a = view.place({view.centre.x - half, std::max(face, back)});
+  const Vec2 b = view.place({view.centre.x + half, std::min(face, back)});
+  add_box(drawing, {a.x, a.y, b.x, b.y}, style::kPlaten);
+  add_frame(drawing, {a.x, a.y, b.x, b.y}, {style::kPlatenEdge, 2 * unit, {}, Cap::butt});
+}
+
+/// Height of a jaw's face over its apex, mm; level beyond the arc.
+double jaw_height(const FrameJaws& jaws, double x) {
+  const double aside = std::min(std::abs(x - jaws.centre_x_mm), jaws.half_width_mm);
+  return jaws.radius_mm - std::sqrt(std::max(0.0, jaws.radius_mm * jaws.radius_mm - aside * aside));
+}
+
+void draw_jaw(Drawing& drawing, const Frame& frame, const View& view, double unit, int side) {
+  constexpr int kPieces = 96;  // a corner of less than a degree between two of them
+  const FrameJaws& jaws = frame.jaws;
+  const double half = std::max(jaws.half_width_mm, 0.5 * kPlatenOverRectangle * view.specimen_mm.x);
+  const double up = side == 0 ? 1 : -1, apex = frame.platen_y[at(side)];
+  Band block{{}, {}, style::kPlaten};
+  for (int i = 0; i <= kPieces; ++i) {
+    const double x = jaws.centre_x_mm + half * (2.0 * i / kPieces - 1.0);
+    block.lower.push_back(view.place({x, apex + up * jaw_height(jaws, x)}));
+    block.upper.push_back(view.place({x, apex - up * view.platen_mm}));
+  }
+  drawing.shapes.push_back(block);
+  Polyline edge{block.lower, {style::kPlatenEdge, 2 * unit, {}, Cap::butt}};
+  edge.points.insert(edge.points.end(), {block.upper.back(), block.upper.front(), block.lower.front()});
+  drawing.shapes.push_back(edge);
+}
+
+void draw_platens(Drawing& drawing, const Frame& frame, const View& view, double unit) {
+  if (!(frame.platen_y[1] > frame.platen_y[0])) return;
   for (const int side : {0, 1}) {
-    const double face = frame.platen_y[at(side)], back = face + (side == 0 ? -1 : 1) * view.platen_mm;
-    const Vec2 a = view.place({view.centre.x - half, std::max(face, back)});
-    const Vec2 b = view.place({view.centre.x + half, std::min(face, back)});
-    add_box(drawing, {a.x, a.y, b.x, b.y}, style::kPlaten);
-    add_frame(drawing, {a.x, a.y, b.x, b.y}, {style::kPlatenEdge, 2 * unit, {}, Cap::butt});
+    frame.jaws.radius_mm > 0 ? draw_jaw(drawing, frame, view, unit, side)
+                             : draw_flat_platen(drawing, frame, view, unit, side);
   }
 }
 

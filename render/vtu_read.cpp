@@ -48,6 +48,8 @@ class VtuFile {
   vtkDataArray* cell_array(const char* name) const { return need(grid()->GetCellData(), name, cells()); }
   vtkDataArray* point_array(const char* name) const { return need(grid()->GetPointData(), name, points()); }
 
+  bool has_numbers(const char* name) const { return grid()->GetFieldData()->GetArray(name) != nullptr; }
+
   std::vector<double> numbers(const char* name) const {
     vtkDataArray* array = grid()->GetFieldData()->GetArray(name);
     if (!array) fail(path_, std::string("no field data ") + name);
@@ -156,6 +158,9 @@ void read_fields_vtu(const std::filesystem::path& path, Frame& frame) {
   frame.stress_mpa = file.number("axial_stress");
   frame.confining_pressure_mpa = file.number("confining_pressure");
   frame.platen_y = {file.number("platen_y", 0), file.number("platen_y", 1)};
+  if (file.has_numbers("jaws")) {
+    frame.jaws = {file.number("jaws", 0), file.number("jaws", 1), file.number("jaws", 2)};
+  }
   frame.curve = {file.numbers("curve_axial_strain"), file.numbers("curve_lateral_strain"),
                  file.numbers("curve_stress")};
 }

@@ -91,6 +91,8 @@ void add_curve(vtkFieldData* data, const Frame& frame) {
   add_numbers(data, "axial_stress", {frame.stress_mpa});
   add_numbers(data, "confining_pressure", {frame.confining_pressure_mpa});
   add_numbers(data, "platen_y", {frame.platen_y[0], frame.platen_y[1]});
+  const FrameJaws& jaws = frame.jaws;
+  if (jaws.radius_mm > 0.0) add_numbers(data, "jaws", {jaws.radius_mm, jaws.centre_x_mm, jaws.half_width_mm});
   add_numbers(data, "curve_axial_strain", frame.curve.axial_strain);
   add_numbers(data, "curve_lateral_strain", frame.curve.lateral_strain);
   add_numbers(data, "curve_stress", frame.curve.stress_mpa);

@@ -8,10 +8,12 @@ namespace {
 
 constexpr std::string_view kType = "/experiment/type";
 constexpr std::string_view kMode = "/experiment/loading/mode";
+constexpr std::string_view kShape = "/experiment/platens/shape";
 constexpr std::string_view kKind = "/particles/kind";
 
 bool is_disc(const RunConfig& config) { return config.experiment.type == ExperimentType::brazilian; }
 bool is_compression(const RunConfig& config) { return !is_disc(config); }
+bool has_jaws(const RunConfig& config) { return config.experiment.platens.shape == PlatenShape::curved; }
 bool is_triaxial(const RunConfig& config) { return config.experiment.type == ExperimentType::triaxial; }
 bool is_staged(const RunConfig& config) { return config.experiment.loading.mode == LoadingMode::staged; }
 bool has_holds(const RunConfig& config) { return is_staged(config) || is_triaxial(config); }
@@ -36,6 +38,10 @@ const std::vector<ConditionalKey>& conditional_keys() {
       {"/experiment/diameter_mm", kType, is_disc, disc, "compression has width_mm and height_mm"},
       {"/experiment/confining_pressure_mpa", kType, is_triaxial, triaxial,
        "remove it, or set /experiment/type to \"triaxial\""},
+      {"/experiment/platens/shape", kType, is_disc, disc, "remove it: the ends of a compression specimen are level"},
+      {"/experiment/platens/jaw_radius_mm", kType, is_disc, disc, "remove it: only a disc has jaws"},
+      {"/experiment/platens/jaw_radius_mm", kShape, has_jaws, "only with curved jaws",
+       "remove it, or set /experiment/platens/shape to \"curved\""},
       {"/experiment/loading/confinement_time_s", kType, is_triaxial, triaxial, "remove it: there is no confinement"},
       {"/experiment/loading/ramp_time_s", kType, is_disc, disc,
        "remove it: compression starts from a linear velocity field"},

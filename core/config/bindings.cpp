@@ -85,6 +85,8 @@ const std::vector<Binding>& bindings() {
       bind<&Run::experiment, &Experiment::diameter_mm>("/experiment/diameter_mm"),
       bind<&Run::experiment, &Experiment::thickness_mm>("/experiment/thickness_mm"),
       bind<&Run::experiment, &Experiment::confining_pressure_mpa>("/experiment/confining_pressure_mpa"),
+      bind<&Run::experiment, &Experiment::platens, &Platens::shape>("/experiment/platens/shape"),
+      bind<&Run::experiment, &Experiment::platens, &Platens::jaw_radius_mm>("/experiment/platens/jaw_radius_mm"),
       bind<&Run::experiment, &Experiment::platens, &Platens::friction_coefficient>(
           "/experiment/platens/friction_coefficient"),
       bind<&Run::experiment, &Experiment::platens, &Platens::stiffness_mpa_per_mm>(

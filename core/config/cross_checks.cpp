@@ -30,6 +30,8 @@ constexpr std::string_view kTimeStep = "/integration/time_step_s";
 constexpr std::string_view kMassScaling = "/integration/mass_scaling_time_step_s";
 constexpr std::string_view kUniformMass = "/integration/mass_scaling/uniform";
 constexpr std::string_view kElasticStart = "/experiment/loading/elastic_start_fraction";
+constexpr std::string_view kShape = "/experiment/platens/shape";
+constexpr std::string_view kJawRadius = "/experiment/platens/jaw_radius_mm";
 constexpr std::string_view kPlatenFriction = "/experiment/platens/friction_coefficient";
 constexpr std::string_view kWindow = "/measurement/modulus_window";
 constexpr std::string_view kAxialGauge = "/measurement/axial_gauge_mm";
@@ -156,6 +158,15 @@ Result elastic_start_with_friction(const RunConfig& config) {
                   "remove it, or set /experiment/platens/friction_coefficient to 0");
 }
 
+Result jaws_too_narrow(const RunConfig& config) {
+  const ExperimentConfig& e = config.experiment;
+  const double radius = 0.5 * e.diameter_mm;
+  if (is_compression(config) || e.platens.shape == PlatenShape::flat || e.jaw_radius() > radius) return {};
+  return fault_at(config, kJawRadius, "the jaws are not wider than the disc, which would stand on their edges",
+                  "above the disc's radius, " + number_text(radius) + " mm",
+                  "leave it out: it is then 1.5 times the disc's radius (ISRM 1978)");
+}
+
 Result window_reversed(const RunConfig& config) {
   const MeasurementConfig& m = config.measurement;
   if (m.modulus_window_low < m.modulus_window_high) return {};
@@ -190,6 +201,7 @@ const std::vector<Check>& checks() {
        time_step_unstable},
       {{kUniformMass, kMassScaling}, mass_scaled_twice},
       {{kElasticStart, kPlatenFriction}, elastic_start_with_friction},
+      {{kType, kDiameter, kShape, kJawRadius}, jaws_too_narrow},
       {{kWindow}, window_reversed},
       {{kType, kHeight, kAxialGauge}, axial_gauge_too_long},
       {{kType, kHeight, kLateralGauge}, lateral_gauge_too_long},

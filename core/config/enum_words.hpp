@@ -19,6 +19,9 @@ constexpr EnumWords<ExperimentType, 3> words_of(ExperimentType) {
 constexpr EnumWords<PlaneCondition, 2> words_of(PlaneCondition) {
   return {{{PlaneCondition::stress, "stress"}, {PlaneCondition::strain, "strain"}}};
 }
+constexpr EnumWords<PlatenShape, 2> words_of(PlatenShape) {
+  return {{{PlatenShape::flat, "flat"}, {PlatenShape::curved, "curved"}}};
+}
 constexpr EnumWords<ParticleKind, 2> words_of(ParticleKind) {
   return {{{ParticleKind::triangle, "triangle"}, {ParticleKind::voronoi, "voronoi"}}};
 }

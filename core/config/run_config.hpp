@@ -10,6 +10,7 @@ namespace asperity {
 
 enum class ExperimentType { uniaxial, triaxial, brazilian };
 enum class PlaneCondition { stress, strain };
+enum class PlatenShape { flat, curved };
 enum class ParticleKind { triangle, voronoi };
 enum class LoadingMode { continuous, staged };
 enum class LawReading { literal, consistent };  ///< JSON: "literal", "default".
@@ -17,6 +18,8 @@ enum class ShearPeak { cohesion, coulomb };     ///< Eq 6's peak: c_c, or c_c + 
 enum class OpeningShearStiffness { k_t, k_s };  ///< Stiffness of the shear component while the contact is open.
 
 struct PlatenConfig {
+  PlatenShape shape = PlatenShape::flat;  ///< Curved: the jaws of a Brazilian disc.
+  std::optional<double> jaw_radius_mm;    ///< Of curved jaws; unset: 1.5 times the disc's radius.
   double friction_coefficient = 0.0;
   std::optional<double> stiffness_mpa_per_mm;  ///< Penalty; unset: the contact's tensile stiffness.
   bool operator==(const PlatenConfig&) const = default;
@@ -63,6 +66,7 @@ struct ExperimentConfig {
   PlatenConfig platens;
   LoadingConfig loading;
   StopConfig stop;
+  double jaw_radius() const { return platens.jaw_radius_mm.value_or(1.5 * 0.5 * diameter_mm); }  ///< mm
   bool operator==(const ExperimentConfig&) const = default;
 };
 

@@ -37,9 +37,14 @@ double largest(const std::vector<Vec2>& force) {
   return std::sqrt(square);
 }
 
-/// The forces without those that only inertia can balance between frictionless platens, spread over the masses: the
-/// net force along the platens and, where the specimen may roll, the net moment; Eq. (E7).
-std::vector<Vec2> relieved(std::vector<Vec2> force, const Particles& p, bool may_roll) {
+/// Rigid motions that frictionless platens leave to inertia: along flat ones, and a disc's rolling.
+struct FreeMotions {
+  bool along_platens, rolling;
+};
+
+/// The forces without those that only inertia can balance, spread over the masses: the net force along flat platens
+/// and, where the specimen may roll, the net moment; Eq. (E7).
+std::vector<Vec2> relieved(std::vector<Vec2> force, const Particles& p, const FreeMotions& free) {
   double mass = 0.0, sideways = 0.0;
   Vec2 centre;
   for (std::size_t i = 0; i < force.size(); ++i) {
@@ -48,8 +53,10 @@ std::vector<Vec2> relieved(std::vector<Vec2> force, const Particles& p, bool may
     sideways += force[i].x;
   }
   centre = (1.0 / mass) * centre;
-  for (std::size_t i = 0; i < force.size(); ++i) force[i].x -= sideways / mass * p.mass[i];
-  if (!may_roll) return force;
+  if (free.along_platens) {
+    for (std::size_t i = 0; i < force.size(); ++i) force[i].x -= sideways / mass * p.mass[i];
+  }
+  if (!free.rolling) return force;
   double moment = 0.0, inertia = 0.0;
   for (std::size_t i = 0; i < force.size(); ++i) {
     const Vec2 arm = p.position[i] - centre;
@@ -117,7 +124,7 @@ double relaxation(double factor, const std::vector<Vec2>& last, const std::vecto
 
 /// Newton's iteration with a stiffness that is factorised once, and anew where platens meet other nodes: Eq. (E7). The
 /// contacts' memory is taken forward from `from` at every trial. False where it does not converge.
-bool find_equilibrium(System& system, const Equilibrium& from, bool may_roll, const ParallelLoops& loops,
+bool find_equilibrium(System& system, const Equilibrium& from, const FreeMotions& free, const ParallelLoops& loops,
                       ElasticStart& count) {
   std::unique_ptr<StaticStiffness> stiffness;
   std::vector<Vec2> last;
@@ -126,7 +133,7 @@ bool find_equilibrium(System& system, const Equilibrium& from, bool may_roll, co
     system.contacts = from.contacts;
     compute_forces(system, loops);
     const PlatenLoad load = platen_load(system);
-    const std::vector<Vec2> unbalanced = relieved(out_of_balance(system), system.particles, may_roll);
+    const std::vector<Vec2> unbalanced = relieved(out_of_balance(system), system.particles, free);
     const double size = largest(unbalanced);
     if (!std::isfinite(size)) return false;
     if (iteration > 0 && size <= kBalance * (load.reaction[0] + load.reaction[1])) return true;
@@ -190,7 +197,8 @@ ElasticStart solve_elastic_start(Model& model, const ParallelLoops& loops, const
   const LoadingConfig& loading = model.config.experiment.loading;
   const double height = specimen_height(model.config.experiment);
   const double wanted = loading.elastic_start_fraction;
-  const bool may_roll = model.config.experiment.type == ExperimentType::brazilian;
+  const FreeMotions free{system.platens.jaw.radius == 0.0,
+                         model.config.experiment.type == ExperimentType::brazilian};
   ElasticStart result;
   bring_to_rest(system, loops);
   Equilibrium from = present(system);
@@ -200,7 +208,7 @@ ElasticStart solve_elastic_start(Model& model, const ParallelLoops& loops, const
   while (result.separation < kReached * wanted) {
     close_platens(system, closure);
     for (std::size_t i = 0; i < trend.size(); ++i) system.particles.position[i] += closure * trend[i];
-    const bool found = find_equilibrium(system, from, may_roll, loops, result);
+    const bool found = find_equilibrium(system, from, free, loops, result);
     const double separation = largest_separation(system.contacts);
     if (!found || separation > kPassed * wanted) {
       restore(system, from);

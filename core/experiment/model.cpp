@@ -1,7 +1,9 @@
 #include "core/experiment/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <thread>
 
 #include "core/base/error.hpp"
@@ -34,11 +36,20 @@ FlankPressure find_flanks(const Mesh& mesh, const Particles& p) {
   return flank;
 }
 
+/// The arc is as wide as the disc, or spans 45 degrees to either side where that is less, so that the jaws stay apart.
+JawFace make_jaw(const ExperimentConfig& experiment) {
+  if (experiment.platens.shape == PlatenShape::flat) return {};
+  const double radius = experiment.jaw_radius();
+  const double half_width = std::min(0.5 * experiment.diameter_mm, radius / std::numbers::sqrt2);
+  return {radius, 0.0, half_width, radius - std::sqrt(radius * radius - half_width * half_width)};
+}
+
 Platens make_platens(const RunConfig& config) {
   Platens platens;
   platens.present = true;
   platens.y = {0.0, specimen_height(config.experiment)};
   platens.friction = config.experiment.platens.friction_coefficient;
+  platens.jaw = make_jaw(config.experiment);
   return platens;
 }
 

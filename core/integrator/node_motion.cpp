@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/integrator/platen_contact.hpp"
+
 namespace asperity {
 namespace {
 
@@ -14,32 +16,37 @@ void let_go(System& system, std::size_t node, NodeSums& sums) {
   shear = 0.0;
 }
 
+/// Friction along the face under a normal force, after the last step's slip; Eq. (I6).
+double platen_shear(System& system, std::size_t node, const PlatenContact& contact, double normal, NodeSums& sums) {
+  const Platens& platens = system.platens;
+  const double stiffness = contact.spring.stiffness;
+  const Vec2 relative = system.particles.velocity[node] - Vec2{0.0, platens.last_velocity[contact.side]};
+  const double slip_rate = dot(relative, along_face(contact.touch, contact.side));
+  double& shear = system.platen_shear[node];
+  const double trial = shear - stiffness * slip_rate * system.time_step;
+  const double limit = platens.friction * normal;
+  const double after = std::clamp(trial, -limit, limit);
+  sums.platen_friction += std::max(0.0, 0.5 * (shear + after) * (trial - after)) / stiffness;
+  sums.platen_energy += 0.5 * after * after / stiffness;
+  shear = after;
+  return after;
+}
+
 /// Penalty contact of one node with the platens: force on the node; energies and reactions go to sums.
 Vec2 platen_force(System& system, std::size_t node, NodeSums& sums) {
-  const Platens& platens = system.platens;
-  const double y = system.particles.position[node].y;
-  const std::array<double, 2> beyond{platens.y[0] - y, y - platens.y[1]};
-  const int side = beyond[0] > 0.0 ? 0 : 1;
-  const PlatenSpring spring = beyond[side] > 0.0 ? system.platen_springs.at(node) : PlatenSpring{};
-  const double overlap = beyond[side] - spring.skin;
-  if (overlap <= 0.0) {
+  const PlatenContact contact = platen_contact(system, node);
+  if (contact.overlap <= 0.0) {
     let_go(system, node, sums);
     return {0, 0};
   }
-  const bool rough = platens.friction > 0.0;
-  const double normal = spring.stiffness * overlap;
-  sums.reaction[side] += normal;
-  sums.platen_energy += 0.5 * normal * overlap;
-  if (rough) {
-    double& shear = system.platen_shear[node];
-    const double trial = shear - spring.stiffness * system.particles.velocity[node].x * system.time_step;
-    const double limit = platens.friction * normal;
-    const double after = std::clamp(trial, -limit, limit);
-    sums.platen_friction += std::max(0.0, 0.5 * (shear + after) * (trial - after)) / spring.stiffness;
-    sums.platen_energy += 0.5 * after * after / spring.stiffness;
-    shear = after;
+  const double normal = contact.spring.stiffness * contact.overlap;
+  sums.platen_energy += 0.5 * normal * contact.overlap;
+  Vec2 force = normal * contact.touch.normal;
+  if (system.platens.friction > 0.0) {
+    force += platen_shear(system, node, contact, normal, sums) * along_face(contact.touch, contact.side);
   }
-  return {rough ? system.platen_shear[node] : 0.0, side == 0 ? normal : -normal};
+  sums.reaction[contact.side] += facing(contact.side) * force.y;
+  return force;
 }
 
 /// Cundall's local damping, limited so that it never turns the motion round: Eq. (I4). `impulse` is 2 m / dt. Returns

@@ -167,14 +167,37 @@ HWY_INLINE void add_lanes(Addends addends, unsigned bits, LaneSums& sums, std::s
   hn::Store(hn::Max(hn::Load(kDoubles, sums.fastest + lane), addends.fastest), kDoubles, sums.fastest + lane);
 }
 
+/// Lanes with a corner behind a flat platen's face.
+HWY_INLINE hn::Mask<Doubles> behind_platens(const Platens& platens, const Corners& x) {
+  const Real low = hn::Min(hn::Min(x[0].y, x[1].y), x[2].y), high = hn::Max(hn::Max(x[0].y, x[1].y), x[2].y);
+  return hn::Or(hn::Lt(low, set(platens.y[0])), hn::Gt(high, set(platens.y[1])));
+}
+
+/// Lanes with a corner behind a jaw's face, Eq. (I20), or so little before it that rounding could tell otherwise.
+hn::Mask<Doubles> behind_jaws(const Platens& platens, const Corners& x) {
+  constexpr double kRounding = 1e-9;  // of the radius
+  const JawFace& jaw = platens.jaw;
+  const double inner = (1.0 - kRounding) * jaw.radius, level = jaw.depth + kRounding * jaw.radius;
+  hn::Mask<Doubles> behind = hn::Lt(set(0.0), set(0.0));
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Real up = set(side == 0 ? 1.0 : -1.0);
+    for (const Points& corner : x) {
+      const Real above = Mul(up, Sub(corner.y, set(platens.y[side])));
+      const Points arm{Sub(corner.x, set(jaw.centre_x)), Sub(above, set(jaw.radius))};
+      behind = hn::Or(behind, hn::And(hn::Gt(dot(arm, arm), set(inner * inner)), hn::Lt(above, set(level))));
+    }
+  }
+  return behind;
+}
+
 /// Lanes that a node beyond a platen's face, a load or a held node takes out of the vector kernel, one bit each.
 unsigned special_lanes(const System& system, const Batch& batch, const Corners& x, std::size_t& next_load) {
   const unsigned all = (1u << batch.count) - 1;
   if (system.body_acceleration != Vec2{}) return all;
   unsigned special = 0;
   if (system.platens.present) {
-    const Real low = hn::Min(hn::Min(x[0].y, x[1].y), x[2].y), high = hn::Max(hn::Max(x[0].y, x[1].y), x[2].y);
-    const auto beyond = hn::Or(hn::Lt(low, set(system.platens.y[0])), hn::Gt(high, set(system.platens.y[1])));
+    const bool flat = system.platens.jaw.radius == 0.0;
+    const auto beyond = flat ? behind_platens(system.platens, x) : behind_jaws(system.platens, x);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(kDoubles, beyond, bits);
     special |= bits[0];

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/integrator/platen_contact.hpp"
 
 namespace asperity {
 namespace {
@@ -13,13 +14,6 @@ using Entries = std::vector<Eigen::Triplet<double>>;
 /// Share of each diagonal entry's mean that is added to hold rigid motion along the platens; far below the stiffness of
 /// the specimen as a whole, so that it does not slow the solution down.
 constexpr double kRigidHold = 1e-7;
-
-/// Depth of a node in the platens: bottom, top; positive where one presses it.
-std::array<double, 2> platen_depth(const System& system, std::size_t node) {
-  const double y = system.particles.position[node].y;
-  const double skin = system.platen_springs.at(node).skin;
-  return {system.platens.y[0] - y - skin, y - system.platens.y[1] - skin};
-}
 
 template <std::size_t N, class Apply>
 void add_element(Entries& entries, const std::array<int, N>& nodes, const Apply& apply) {
@@ -31,6 +25,19 @@ void add_element(Entries& entries, const std::array<int, N>& nodes, const Apply&
       if (2 * nodes[i] + 1 >= column) entries.emplace_back(2 * nodes[i] + 1, column, columns[j][i].y);
     }
   }
+}
+
+/// The spring of a node that a platen presses, about its present place: along the normal, and across it by the turning
+/// of the normal force.
+void add_platen_spring(Entries& entries, std::size_t node, const PlatenContact& contact) {
+  const Vec2 n = contact.touch.normal, along = along_face(contact.touch, contact.side);
+  const double across = contact.overlap * contact.touch.bend;
+  const int row = 2 * static_cast<int>(node);
+  const auto entry = [&](double first, double second) { return contact.spring.stiffness * (first + across * second); };
+  entries.emplace_back(row + 1, row + 1, entry(n.y * n.y, along.y * along.y));
+  if (n.x == 0.0) return;
+  entries.emplace_back(row, row, entry(n.x * n.x, along.x * along.x));
+  entries.emplace_back(row + 1, row, entry(n.x * n.y, along.x * along.y));
 }
 
 /// Lower triangle of the stiffness, without the hold of rigid motion.
@@ -49,8 +56,7 @@ Entries stiffness_entries(const System& system, const std::vector<EdgeStiffness>
                    [&](const auto& u) { return linear_contact(e, frame, u, contacts[c]); });
   }
   for (std::size_t i = 0; i < on_platens.size(); ++i) {
-    const int row = 2 * static_cast<int>(i) + 1;
-    if (on_platens[i]) entries.emplace_back(row, row, system.platen_springs.at(i).stiffness);
+    if (on_platens[i]) add_platen_spring(entries, i, platen_contact(system, i));
   }
   return entries;
 }
@@ -63,6 +69,11 @@ double mean_diagonal(const Entries& entries, Eigen::Index size) {
   return sum / static_cast<double>(size);
 }
 
+/// Force of frictionless platens on a node, N per mm of thickness.
+Vec2 platen_push(const PlatenContact& contact) {
+  return contact.spring.stiffness * std::max(0.0, contact.overlap) * contact.touch.normal;
+}
+
 }  // namespace
 
 struct StaticStiffness::Factor {
@@ -72,8 +83,7 @@ struct StaticStiffness::Factor {
 std::vector<std::uint8_t> nodes_on_platens(const System& system) {
   std::vector<std::uint8_t> flags(system.particles.node_count(), 0);
   for (std::size_t i = 0; i < flags.size(); ++i) {
-    const auto depth = platen_depth(system, i);
-    flags[i] = depth[0] > 0.0 || depth[1] > 0.0;
+    flags[i] = platen_contact(system, i).overlap > 0.0;
   }
   return flags;
 }
@@ -81,9 +91,7 @@ std::vector<std::uint8_t> nodes_on_platens(const System& system) {
 std::vector<Vec2> out_of_balance(const System& system) {
   std::vector<Vec2> force(system.particles.node_count());
   for (std::size_t i = 0; i < force.size(); ++i) {
-    const auto depth = platen_depth(system, i);
-    const double push = std::max(0.0, depth[0]) - std::max(0.0, depth[1]);
-    force[i] = internal_force(system, i) + system.loads.at(i) + Vec2{0.0, system.platen_springs.at(i).stiffness * push};
+    force[i] = internal_force(system, i) + system.loads.at(i) + platen_push(platen_contact(system, i));
   }
   return force;
 }
@@ -91,12 +99,10 @@ std::vector<Vec2> out_of_balance(const System& system) {
 PlatenLoad platen_load(const System& system) {
   PlatenLoad load;
   for (std::size_t i = 0; i < system.particles.node_count(); ++i) {
-    const auto depth = platen_depth(system, i);
-    for (int side = 0; side < 2; ++side) {
-      const double force = system.platen_springs.at(i).stiffness * std::max(0.0, depth[side]);
-      load.reaction[side] += force;
-      load.energy += 0.5 * force * std::max(0.0, depth[side]);
-    }
+    const PlatenContact contact = platen_contact(system, i);
+    const Vec2 push = platen_push(contact);
+    load.reaction[contact.side] += facing(contact.side) * push.y;
+    load.energy += 0.5 * dot(push, contact.touch.normal) * std::max(0.0, contact.overlap);
   }
   return load;
 }

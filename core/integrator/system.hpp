@@ -12,14 +12,24 @@
 
 namespace asperity {
 
-/// Two rigid horizontal platens below and above the specimen, with penalty contact on every node; Eqs. (I5), (I6).
-/// Index 0 is the bottom one, 1 the top one.
+/// The face of a curved jaw, Eq. (I20): an arc, concave towards the specimen, in a block that is level beyond it.
+struct JawFace {
+  double radius = 0;      ///< mm; 0: flat platens.
+  double centre_x = 0;    ///< Of the arc, mm.
+  double half_width = 0;  ///< Of the arc, mm.
+  double depth = 0;       ///< Of its apex under the level, mm.
+  bool operator==(const JawFace&) const = default;
+};
+
+/// Two rigid platens below and above the specimen, horizontal or curved, with penalty contact on every node; Eqs. (I5),
+/// (I6). Index 0 is the bottom one, 1 the top one.
 struct Platens {
   bool present = false;
-  std::array<double, 2> y{0, 0};              ///< mm
+  std::array<double, 2> y{0, 0};              ///< mm; of a jaw: its apex.
   std::array<double, 2> velocity{0, 0};       ///< mm/s during the coming step.
   std::array<double, 2> last_velocity{0, 0};  ///< mm/s during the last step.
   double friction = 0;                        ///< Coulomb coefficient.
+  JawFace jaw;
 };
 
 /// How a node meets the platens: a spring (N/mm per mm of thickness) that acts beyond a depth (mm).
@@ -102,7 +112,7 @@ struct System {
   Kernel kernel = Kernel::fast;  ///< Set before prepare().
 
   PlatenSprings platen_springs;
-  std::vector<double> platen_shear;  ///< Tangential platen force on each node along x; empty: no friction.
+  std::vector<double> platen_shear;  ///< Tangential platen force on each node along the face; empty: no friction.
   NodeSums sums;                     ///< Of the last velocity update.
   double external_work = 0, damping_energy = 0, platen_friction_energy = 0;  ///< Up to the present instant, see step().
 

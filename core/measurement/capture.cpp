@@ -63,6 +63,8 @@ Frame capture_frame(const System& system, const RunConfig& config, std::span<con
   const std::vector<ContactForce> general = general_contact_forces(system.general, p, thickness);
   frame.contacts.insert(frame.contacts.end(), general.begin(), general.end());
   frame.platen_y = system.platens.y;
+  const JawFace& jaw = system.platens.jaw;
+  frame.jaws = {jaw.radius, jaw.centre_x, jaw.half_width};
   for (const Sample& s : samples) {
     frame.curve.axial_strain.push_back(s.axial_strain);
     frame.curve.lateral_strain.push_back(s.lateral_strain);

@@ -42,6 +42,13 @@ struct CurveHistory {
   std::vector<double> axial_strain, lateral_strain, stress_mpa;
 };
 
+/// The arcs of curved jaws; their apexes are the platens' y.
+struct FrameJaws {
+  double radius_mm = 0;  ///< 0: flat platens.
+  double centre_x_mm = 0, half_width_mm = 0;
+  bool operator==(const FrameJaws&) const = default;
+};
+
 /// Everything a picture or a VTU file shows of one instant. Positions mm, velocities mm/s, stresses MPa (tension
 /// positive).
 struct Frame {
@@ -60,6 +67,7 @@ struct Frame {
   std::vector<CrackSegment> cracks;
   std::vector<ContactForce> contacts;    ///< Those that carry force.
   std::array<double, 2> platen_y{0, 0};  ///< Bottom and top platen.
+  FrameJaws jaws;
   CurveHistory curve;
 };
 
