@@ -61,7 +61,9 @@ json read_document(const fs::path& path, const std::vector<Override>& overrides)
   return std::move(parsed.document);
 }
 
-SlurmConfig slurm_of(const json& document) {
+}  // namespace
+
+SlurmConfig slurm_section(const json& document) {
   const json slurm = document.value("slurm", json::object());
   SlurmConfig c;
   c.partition = slurm.value("partition", c.partition);
@@ -75,6 +77,8 @@ SlurmConfig slurm_of(const json& document) {
   c.resubmissions = slurm.value("resubmissions", c.resubmissions);
   return c;
 }
+
+namespace {
 
 /// Reads run configurations, each file once, and gathers what is wrong with them; what is wrong with many runs in the
 /// same way is told of the first.
@@ -134,7 +138,7 @@ CampaignConfig read_campaign_config(const fs::path& path, const std::vector<std:
   CampaignConfig config;
   config.name = document.value("name", path.stem().string());
   config.description = document.value("description", "");
-  config.slurm = slurm_of(document);
+  config.slurm = slurm_section(document);
   config.varied = grid.varied;
   std::vector<std::string> all_varied = grid.varied;
   if (document.contains("seeds")) all_varied.push_back(kSeedPointer);

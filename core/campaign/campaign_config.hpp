@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct CampaignConfig {
   std::vector<std::string> base_names;   ///< Of each run: the stem of the configuration it was made from.
   std::vector<std::string> varied;       ///< Pointers in which the runs differ by the file's will, without the seed's.
 };
+
+/// The section "slurm" of a document that holds to its schema; what is not there keeps its default.
+SlurmConfig slurm_section(const nlohmann::json& document);
 
 /// Reads the file. An override ("/json/pointer=value") at a key of the campaign schema changes the campaign, any other
 /// is laid over every run, above all that the file sets. Throws one Error: of kind config with every fault, at its

@@ -53,6 +53,7 @@ Json compression_results(const Model& model, const RunState& state, const Peak& 
   j["poissons_ratio"] = moduli ? Json(moduli->poissons_ratio) : Json();
   j["peak_axial_stress_mpa"] = peak.stress_mpa;
   j["peak_axial_strain"] = peak.axial_strain;
+  j["peak_passed"] = !peak.at_end;
   j["confining_pressure_mpa"] = model.config.experiment.confining_pressure_mpa;
   return j;
 }
@@ -61,7 +62,8 @@ Json brazilian_results(const RunState& state, const Peak& peak) {
   const Sample& s = state.samples[peak.index];
   return {{"tensile_strength_mpa", peak.stress_mpa},
           {"peak_load_n_per_mm", s.load_n_per_mm},
-          {"peak_closure_mm", s.closure_mm}};
+          {"peak_closure_mm", s.closure_mm},
+          {"peak_passed", !peak.at_end}};
 }
 
 Json energy_entries(const EnergyBalance& e) {
