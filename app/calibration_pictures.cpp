@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/calibration_report.hpp"
 #include "app/pictures.hpp"
+#include "app/report/calibration_report.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/output_error.hpp"
 #include "core/config/read_config.hpp"

@@ -164,6 +164,21 @@ void add_campaign(CLI::App& cli, Action& action) {
   command->callback([=, &action] { action = [=] { return campaign_command(*options); }; });
 }
 
+void add_calibrate(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<CalibrateCommandOptions>();
+  CLI::App* command = cli.add_subcommand(
+      "calibrate", "Finds microparameters for laboratory targets and verifies them on fresh meshes; goes on where it was ended");
+  command->add_option("config", options->config, "Calibration (JSON)")->required();
+  add_overrides(*command, options->overrides);
+  command->add_option("--out", options->out, "Folder for calibration.json, report.html and configs; default outputs/<name>/");
+  add_campaign_options(*command, options->session);
+  command->footer(
+      "Examples:\n  asperity calibrate configs/calibration/plaster.json\n"
+      "  asperity calibrate configs/calibration/paper_table4.json --out outputs/table4\n"
+      "  asperity calibrate configs/calibration/plaster.json --executor slurm --set /slurm/partition=short");
+  command->callback([=, &action] { action = [=] { return calibrate_command(*options); }; });
+}
+
 void add_info(CLI::App& cli, Action& action) {
   CLI::App* command = cli.add_subcommand("info", "Prints version, revision, libraries and machine");
   command->footer("Example:\n  asperity info");
@@ -195,7 +210,7 @@ int run_command_line(int argc, char** argv) {
       "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
   Action action;
   for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_audit,
-                         add_campaign, add_acceleration, add_bench, add_info}) {
+                         add_campaign, add_calibrate, add_acceleration, add_bench, add_info}) {
     add(cli, action);
   }
   try {

@@ -87,6 +87,15 @@ struct CampaignCommandOptions {
 
 int campaign_command(const CampaignCommandOptions& options);
 
+struct CalibrateCommandOptions {
+  std::filesystem::path config;
+  std::vector<std::string> overrides;
+  std::optional<std::filesystem::path> out;  ///< Unset: outputs/<calibration name>/.
+  CampaignSessionOptions session;
+};
+
+int calibrate_command(const CalibrateCommandOptions& options);
+
 int info_command();
 
 }  // namespace asperity::app
