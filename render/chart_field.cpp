@@ -43,11 +43,6 @@ Lines lines_at(const PlotArea& area, const ScalarGrid& grid, double level) {
 
 Box grown(const Box& box, double by) { return {box.left - by, box.top - by, box.right + by, box.bottom + by}; }
 
-bool within(const Box& inner, const Box& outer) {
-  return inner.left >= outer.left && inner.right <= outer.right && inner.top >= outer.top &&
-         inner.bottom <= outer.bottom;
-}
-
 double length_of(const std::vector<Vec2>& line) {
   double length = 0;
   for (std::size_t i = 1; i < line.size(); ++i) length += norm(line[i] - line[i - 1]);

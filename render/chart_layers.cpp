@@ -9,11 +9,8 @@
 namespace asperity::render {
 namespace {
 
-constexpr double kWhisker = 9;       // half the end of an error bar, pixels
-constexpr double kErrorWidth = 3;    // pixels
-constexpr double kNameSize = 24;     // pixels
-constexpr double kNameGap = 6;       // between a point's marker and its name, pixels
-constexpr double kCapHeight = 0.73;  // of DejaVu Sans, parts of the size
+constexpr double kWhisker = 9;     // half the end of an error bar, pixels
+constexpr double kErrorWidth = 3;  // pixels
 
 /// Keeps the part of [t0, t1] where p + t q >= 0; false if none is left.
 bool keep_positive(double p, double q, double& t0, double& t1) {
@@ -49,15 +46,6 @@ std::vector<std::vector<Vec2>> finite_runs(const PlotArea& area, const std::vect
   return runs;
 }
 
-bool in_box(Vec2 p, const Box& box) {
-  constexpr double kSlack = 0.5;  // a point on the frame is inside
-  return p.x >= box.left - kSlack && p.x <= box.right + kSlack && p.y >= box.top - kSlack && p.y <= box.bottom + kSlack;
-}
-
-Box around(Vec2 centre, double radius) {
-  return {centre.x - radius, centre.y - radius, centre.x + radius, centre.y + radius};
-}
-
 void draw_line_layer(Drawing& drawing, const PlotArea& area, const LineLayer& layer) {
   const Stroke casing{style::kPaper, layer.stroke.width + 2 * layer.casing, {}, layer.stroke.cap};
   for (const auto& run : finite_runs(area, layer.x, layer.y))
@@ -90,38 +78,21 @@ void draw_error_bar(Drawing& drawing, const PlotArea& area, Vec2 centre, Vec2 ar
   if (norm(arm) == 0) return;
   const Vec2 across = (kWhisker / norm(arm)) * Vec2{-arm.y, arm.x};
   for (const Vec2 end : {centre - arm, centre + arm})
-    if (in_box(end, area.box)) add_line(drawing, end - across, end + across, stroke);
+    if (near_box(end, area.box)) add_line(drawing, end - across, end + across, stroke);
 }
 
 void draw_errors(Drawing& drawing, const PlotArea& area, const PointLayer& layer, std::size_t i, Vec2 at) {
-  const double per_x = area.box.width() / (area.x.range.high - area.x.range.low);
-  const double per_y = area.box.height() / (area.y.range.high - area.y.range.low);
-  if (i < layer.x_error.size() && std::isfinite(layer.x_error[i]))
-    draw_error_bar(drawing, area, at, {layer.x_error[i] * per_x, 0}, layer.marker.colour);
-  if (i < layer.y_error.size() && std::isfinite(layer.y_error[i]))
-    draw_error_bar(drawing, area, at, {0, layer.y_error[i] * per_y}, layer.marker.colour);
+  for (const Vec2 arm : error_arms(area, layer, i)) draw_error_bar(drawing, area, at, arm, layer.marker.colour);
 }
 
 void draw_point_layer(Drawing& drawing, const PlotArea& area, const PointLayer& layer) {
   for (std::size_t i = 0; i < std::min(layer.x.size(), layer.y.size()); ++i) {
     if (!std::isfinite(layer.x[i]) || !std::isfinite(layer.y[i])) continue;
     const Vec2 at = area.place(layer.x[i], layer.y[i]);
-    if (!in_box(at, area.box)) continue;
+    if (!near_box(at, area.box)) continue;
     draw_errors(drawing, area, layer, i, at);
     add_marker(drawing, at, layer.marker);
   }
-}
-
-void reserve_points(const PlotArea& area, const PointLayer& layer, Occupied& occupied) {
-  for (std::size_t i = 0; i < std::min(layer.x.size(), layer.y.size()); ++i) {
-    const Vec2 at = area.place(layer.x[i], layer.y[i]);
-    if (in_box(at, area.box)) occupied.boxes.push_back(around(at, 1.4 * layer.marker.radius));
-  }
-}
-
-void reserve_contour(const PlotArea& area, const ContourLayer& layer, Occupied& occupied) {
-  for (const auto& line : contour_lines(layer.grid, layer.level))
-    for (const Vec2 p : line) occupied.lines.push_back(around(area.place(p.x, p.y), layer.stroke.width));
 }
 
 void draw_box_layer(Drawing& drawing, const PlotArea& area, const BoxLayer& layer) {
@@ -147,65 +118,29 @@ struct LayerPainter {
   void operator()(const ContourLayer& layer) const { draw_contour(drawing, area, layer, occupied); }
 };
 
-/// The places for a name of this width around a point: right, left, above, below, then the corners.
-std::vector<Text> places(Vec2 at, double radius, const std::string& name) {
-  const double beside = radius + kNameGap, up = 0.5 * kCapHeight * kNameSize;
-  const double above = radius + kNameGap, below = radius + kNameGap + kCapHeight * kNameSize;
-  const auto text = [&](Vec2 shift, Anchor anchor) {
-    return Text{at + shift, name, kNameSize, anchor, Weight::regular, Direction::across, style::kInk};
-  };
-  std::vector<Text> found;
-  for (const double far : {1.0, 1.8, 2.8, 4.0}) {
-    found.push_back(text({far * beside, up}, Anchor::left));
-    found.push_back(text({-far * beside, up}, Anchor::right));
-    found.push_back(text({0, -far * above}, Anchor::centre));
-    found.push_back(text({0, far * below}, Anchor::centre));
-    found.push_back(text({far * beside, -far * above}, Anchor::left));
-    found.push_back(text({-far * beside, -far * above}, Anchor::right));
-    found.push_back(text({far * beside, far * below}, Anchor::left));
-    found.push_back(text({-far * beside, far * below}, Anchor::right));
-  }
-  return found;
-}
-
-bool meets_none(const Box& box, const std::vector<Box>& others) {
-  return std::none_of(others.begin(), others.end(), [&](const Box& other) {
-    return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom;
-  });
-}
-
-bool within(const Box& inner, const Box& outer) {
-  return inner.left >= outer.left && inner.right <= outer.right && inner.top >= outer.top &&
-         inner.bottom <= outer.bottom;
-}
-
 }  // namespace
-
-bool Occupied::free(const Box& box) const { return meets_none(box, boxes); }
-
-bool Occupied::free_of_lines(const Box& box) const { return meets_none(box, lines); }
-
-void reserve(const PlotArea& area, const Layer& layer, Occupied& occupied) {
-  if (const auto* points = std::get_if<PointLayer>(&layer)) reserve_points(area, *points, occupied);
-  if (const auto* contour = std::get_if<ContourLayer>(&layer)) reserve_contour(area, *contour, occupied);
-}
 
 void draw_layer(Drawing& drawing, const PlotArea& area, const Layer& layer, Occupied& occupied) {
   std::visit(LayerPainter{drawing, area, occupied}, layer);
 }
 
-void draw_names(Drawing& drawing, const PlotArea& area, const PointLayer& layer, Occupied& occupied) {
-  for (std::size_t i = 0; i < std::min({layer.names.size(), layer.x.size(), layer.y.size()}); ++i) {
-    const Vec2 at = area.place(layer.x[i], layer.y[i]);
-    if (layer.names[i].empty() || !in_box(at, area.box)) continue;
-    for (const Text& text : places(at, layer.marker.radius, layer.names[i])) {
-      const Box box = text_box(text);
-      if (!within(box, area.box) || !occupied.free(box)) continue;
-      drawing.shapes.push_back(text);
-      occupied.boxes.push_back(box);
-      break;
-    }
-  }
+std::vector<Vec2> error_arms(const PlotArea& area, const PointLayer& layer, std::size_t i) {
+  const double per_x = area.box.width() / (area.x.range.high - area.x.range.low);
+  const double per_y = area.box.height() / (area.y.range.high - area.y.range.low);
+  std::vector<Vec2> arms;
+  if (i < layer.x_error.size() && std::isfinite(layer.x_error[i])) arms.push_back({layer.x_error[i] * per_x, 0});
+  if (i < layer.y_error.size() && std::isfinite(layer.y_error[i])) arms.push_back({0, layer.y_error[i] * per_y});
+  return arms;
+}
+
+bool near_box(Vec2 p, const Box& box) {
+  constexpr double kSlack = 0.5;
+  return p.x >= box.left - kSlack && p.x <= box.right + kSlack && p.y >= box.top - kSlack && p.y <= box.bottom + kSlack;
+}
+
+bool within(const Box& inner, const Box& outer) {
+  return inner.left >= outer.left && inner.right <= outer.right && inner.top >= outer.top &&
+         inner.bottom <= outer.bottom;
 }
 
 std::vector<std::vector<Vec2>> clipped(const std::vector<Vec2>& line, const Box& box) {

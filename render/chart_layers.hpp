@@ -30,6 +30,14 @@ void draw_field(Drawing& drawing, const PlotArea& area, const FieldLayer& field,
 /// Draws an emphasised line of equal value with its name.
 void draw_contour(Drawing& drawing, const PlotArea& area, const ContourLayer& contour, Occupied& occupied);
 
+/// From a point to the ends of its error bars, in pixels: along x, along y, where it has them.
+std::vector<Vec2> error_arms(const PlotArea& area, const PointLayer& layer, std::size_t i);
+
+/// Whether a point is inside the box or within half a pixel of it: a point on the frame counts.
+bool near_box(Vec2 p, const Box& box);
+
+bool within(const Box& inner, const Box& outer);
+
 /// The parts of a line that lie in the box, cut at its edges.
 std::vector<std::vector<Vec2>> clipped(const std::vector<Vec2>& line, const Box& box);
 

@@ -148,14 +148,18 @@ void draw_heading(Drawing& drawing, const std::string& heading, const Box& frame
                                 style::kInk});
 }
 
+/// Points and their names lie over everything, the frame too: star points stand on it.
 void draw_chart(Drawing& drawing, const Chart& chart, const PlotArea& area, const AxesStyle& style) {
   Occupied occupied;
   for (const Layer& layer : chart.layers) reserve(area, layer, occupied);
   if (!field_of(chart)) draw_grid(drawing, area, style);
-  for (const Layer& layer : chart.layers) draw_layer(drawing, area, layer, occupied);
+  for (const Layer& layer : chart.layers)
+    if (!std::holds_alternative<PointLayer>(layer)) draw_layer(drawing, area, layer, occupied);
+  draw_axes(drawing, area, style);
+  for (const Layer& layer : chart.layers)
+    if (std::holds_alternative<PointLayer>(layer)) draw_layer(drawing, area, layer, occupied);
   for (const Layer& layer : chart.layers)
     if (const auto* points = std::get_if<PointLayer>(&layer)) draw_names(drawing, area, *points, occupied);
-  draw_axes(drawing, area, style);
 }
 
 double draw_title(Drawing& drawing, const std::string& title) {

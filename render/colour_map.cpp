@@ -34,8 +34,8 @@ constexpr std::array<Colour, 11> kRedBlue{from_hex(0x053061), from_hex(0x2166AC)
                                           from_hex(0xFDDBC7), from_hex(0xF4A582), from_hex(0xD6604D),
                                           from_hex(0xB2182B), from_hex(0x67001F)};
 
-// From dark to white, for a field under coloured lines: the lines show on all of it.
-constexpr std::array<Colour, 2> kGrey{from_hex(0x9A9A9A), from_hex(0xFFFFFF)};
+// From white to a grey on which coloured lines still show: for a field under such lines.
+constexpr std::array<Colour, 2> kGrey{from_hex(0xFFFFFF), from_hex(0x9A9A9A)};
 
 std::span<const Colour> samples_of(ColourMap map) {
   switch (map) {

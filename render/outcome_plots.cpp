@@ -9,7 +9,9 @@
 namespace asperity::render {
 namespace {
 
-constexpr double kBarHalf = 0.30, kBandHalf = 0.42, kSpread = 0.20;         // parts of a category's width
+// Parts of a category's width: half a bar and half a tolerance band; where prediction, mean and meshes stand in it.
+constexpr double kBarHalf = 0.30, kBandHalf = 0.42, kPredictedAt = -0.36, kMeanAt = -0.14, kMeshesFrom = 0.02,
+                 kMeshesTo = 0.25;
 constexpr double kMeshRadius = 6, kMeanRadius = 10, kPredictedRadius = 10;  // pixels
 constexpr Colour kTolerance{0xD9, 0xEF, 0xE6}, kTargetFill{0xD9, 0xEF, 0xE6}, kInside{0x9F, 0xC8, 0xE2},
     kOutside{0xF2, 0xB4, 0x8B};
@@ -19,7 +21,13 @@ double deviation(const VerifiedProperty& p, double value) { return kPercent * (v
 
 bool within(const VerifiedProperty& p) { return std::abs(p.mean / p.target - 1) <= p.tolerance; }
 
-std::string signed_percent(double value) { return fmt::format("{}{:.1f} %", value < 0 ? "−" : "+", std::abs(value)); }
+std::string signed_percent(double value) { return fmt::format("{}{:.1f}", value < 0 ? "−" : "+", std::abs(value)); }
+
+/// Name, and under it the deviation with its scatter: beside the points it would lie over one of them sooner or later.
+std::string category(const VerifiedProperty& p) {
+  return p.name + "\n" + signed_percent(deviation(p, p.mean)) +
+         fmt::format(" ± {:.1f} %", kPercent * p.sd / std::abs(p.target));
+}
 
 BoxLayer tolerance_box(const VerifiedProperty& p, double place) {
   const double limit = kPercent * p.tolerance;
@@ -40,12 +48,12 @@ BoxLayer bar(const VerifiedProperty& p, double place) {
           edge};
 }
 
-/// Values side by side within the bar's width, in their order.
+/// Values side by side in the right half of the bar, in their order.
 std::vector<double> spread(double place, std::size_t count) {
   std::vector<double> places;
   for (std::size_t i = 0; i < count; ++i) {
-    const double part = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) - 0.5 : 0;
-    places.push_back(place + 2 * kSpread * part);
+    const double part = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.5;
+    places.push_back(place + kMeshesFrom + part * (kMeshesTo - kMeshesFrom));
   }
   return places;
 }
@@ -60,7 +68,7 @@ struct Points {
 
 void add_points(Points& points, const VerifiedProperty& p, double place) {
   if (p.predicted && std::isfinite(*p.predicted)) {
-    points.predicted.x.push_back(place - 0.5 * (kBarHalf + kBandHalf));
+    points.predicted.x.push_back(place + kPredictedAt);
     points.predicted.y.push_back(deviation(p, *p.predicted));
   }
   const std::vector<double> places = spread(place, p.values.size());
@@ -68,10 +76,9 @@ void add_points(Points& points, const VerifiedProperty& p, double place) {
     points.meshes.x.push_back(places[i]);
     points.meshes.y.push_back(deviation(p, p.values[i]));
   }
-  points.means.x.push_back(place);
+  points.means.x.push_back(place + kMeanAt);
   points.means.y.push_back(deviation(p, p.mean));
-  points.means.y_error.push_back(kPercent * p.sd / p.target);
-  points.means.names.push_back(signed_percent(deviation(p, p.mean)));
+  points.means.y_error.push_back(kPercent * p.sd / std::abs(p.target));
 }
 
 /// All meshes of all sets are one layer, so that the legend names them once.
@@ -101,7 +108,7 @@ ChartFigure verification_bars(const std::string& title, const std::vector<Verifi
   Points points;
   double place = 0;
   for (const VerifiedProperty& p : properties) {
-    chart.x_categories.push_back(p.name);
+    chart.x_categories.push_back(category(p));
     chart.layers.emplace_back(tolerance_box(p, ++place));
     chart.layers.emplace_back(bar(p, place));
     add_points(points, p, place);
@@ -112,7 +119,7 @@ ChartFigure verification_bars(const std::string& title, const std::vector<Verifi
   ChartFigure figure;
   figure.title = title;
   figure.charts = {chart};
-  figure.height = 1050;
+  figure.height = 1150;
   return figure;
 }
 

@@ -5,7 +5,7 @@ namespace asperity::render {
 
 /// What n fresh meshes gave of one property, over its target.
 struct VerifiedProperty {
-  std::string name;  ///< One line, or two with "\n" between them.
+  std::string name;  ///< Lines with "\n" between them; each at most a sixth of the figure wide.
   double target = 0, mean = 0, sd = 0,
          tolerance = 0;  ///< In the property's unit; the tolerance as a part of the target.
   std::optional<double> predicted;

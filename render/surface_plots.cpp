@@ -6,6 +6,7 @@ namespace asperity::render {
 namespace {
 
 constexpr double kTargetWidth = 5, kRegionWidth = 3.5, kPointRadius = 8, kSolutionRadius = 12;  // pixels
+constexpr double kLimitWidth = 3, kLimitCasing = 1.5;                                           // pixels
 
 /// Dash patterns of target lines where there are several.
 const std::vector<double>& target_dash(std::size_t number) { return style::kDashes[number % style::kDashes.size()]; }
@@ -53,6 +54,15 @@ void add_region(Chart& chart, const FactorBox& region) {
   chart.layers.emplace_back(BoxLayer{"95 % region", region.x, region.y, std::nullopt, over});
 }
 
+void add_limit(Chart& chart, const std::vector<Vec2>& limit) {
+  LineLayer line{"limit of the design", {}, {}, {style::kInk, kLimitWidth, {3, 7}, Cap::butt}, kLimitCasing};
+  for (const Vec2 p : limit) {
+    line.x.push_back(p.x);
+    line.y.push_back(p.y);
+  }
+  chart.layers.emplace_back(std::move(line));
+}
+
 }  // namespace
 
 Chart surface_chart(const SurfacePlot& plot) {
@@ -64,6 +74,7 @@ Chart surface_chart(const SurfacePlot& plot) {
     const std::string label = plot.targets.size() == 1 ? "target" : "target of " + target.name;
     chart.layers.emplace_back(ContourLayer{label, target.grid, target.value, target_stroke(plot, i), target.name});
   }
+  if (!plot.limit.empty()) add_limit(chart, plot.limit);
   add_design(chart, plot);
   if (plot.region) add_region(chart, *plot.region);
   if (plot.solution)

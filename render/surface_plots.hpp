@@ -33,6 +33,7 @@ struct SurfacePlot {
   std::vector<DesignPoint> points;
   std::optional<Vec2> solution;
   std::optional<FactorBox> region;  ///< 95 % region of the solution.
+  std::vector<Vec2> limit;          ///< Closed line around the part that the runs support; empty: none.
   ColourMap map = ColourMap::cividis;
 };
 

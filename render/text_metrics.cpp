@@ -28,11 +28,11 @@ std::string existing_font(const char* name) {
   throw Error(ErrorKind::output, "cannot draw text: " + file.string() + " is missing; install fonts-dejavu-core");
 }
 
-double measured_width(const std::string& text, Weight weight) {
+double measured_width(const std::string& text, Weight weight, int size) {
   vtkNew<vtkTextProperty> property;
   property->SetFontFamily(VTK_FONT_FILE);
   property->SetFontFile(font_file(weight).c_str());
-  property->SetFontSize(kMeasuredSize);
+  property->SetFontSize(size);
   int box[4] = {0, 0, 0, 0};
   vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(text), box, kDotsPerInch,
                                                  vtkTextRenderer::FreeType);
@@ -48,9 +48,14 @@ std::string font_file(Weight weight) {
 
 double text_width(const std::string& text, double size, Weight weight) {
   if (text.empty()) return 0;
-  if (text.find("_{") == std::string::npos) return measured_width(text, weight) * size / kMeasuredSize;
+  if (text.find("_{") == std::string::npos) return measured_width(text, weight, kMeasuredSize) * size / kMeasuredSize;
   const std::vector<TextRun> runs = runs_of(text, size, weight);
   return runs.empty() ? 0 : runs.back().along + text_width(runs.back().text, runs.back().size, weight);
+}
+
+double text_advance(const std::string& text, double size, Weight weight) {
+  const int pixels = static_cast<int>(std::lround(size));
+  return measured_width("|" + text + "|", weight, pixels) - measured_width("||", weight, pixels);
 }
 
 double fitting_size(const std::string& text, double size, Weight weight, double available) {

@@ -12,6 +12,10 @@ std::string font_file(Weight weight);
 /// Width of a line of UTF-8 text in pixels, with the marks of text_runs. Errors: as font_file.
 double text_width(const std::string& text, double size, Weight weight = Weight::regular);
 
+/// How far the text, drawn in this size, moves what follows it, its outer blanks included, in pixels. Glyphs stand on
+/// whole pixels, so that this is not simply proportional to the size.
+double text_advance(const std::string& text, double size, Weight weight);
+
 /// `size`, or the smaller size at which the text is no wider than `available` pixels.
 double fitting_size(const std::string& text, double size, Weight weight, double available);
 

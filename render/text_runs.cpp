@@ -28,11 +28,6 @@ std::vector<Piece> pieces_of(const std::string& text) {
   return pieces;
 }
 
-/// How far the text moves what follows, its own outer blanks included, which a bounding box leaves out.
-double advance(const std::string& text, double size, Weight weight) {
-  return text_width("|" + text + "|", size, weight) - text_width("||", size, weight);
-}
-
 }  // namespace
 
 std::vector<TextRun> runs_of(const std::string& text, double size, Weight weight) {
@@ -41,7 +36,7 @@ std::vector<TextRun> runs_of(const std::string& text, double size, Weight weight
   for (const Piece& piece : pieces_of(text)) {
     const double own = piece.lowered ? kLoweredSize * size : size;
     runs.push_back({piece.text, own, along, piece.lowered ? kLoweredBy * size : 0});
-    if (piece.text.size() < text.size()) along += advance(piece.text, own, weight);
+    if (piece.text.size() < text.size()) along += text_advance(piece.text, own, weight);
   }
   return runs;
 }

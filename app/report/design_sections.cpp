@@ -113,7 +113,7 @@ Markup bad_run_table(const Value& root) {
                     {}};
   for (const Value& bad : root["bad_runs"].items())
     table.rows.push_back({{bad["row"].exists() ? std::to_string(bad["row"].count() + 1) : "–", bad["test"].words(),
-                           bad["reason"].words(), bad["treatment"].words()},
+                           page_text(bad["reason"].words()), page_text(bad["treatment"].words())},
                           RowTone::bad});
   return html::table(table);
 }
@@ -164,7 +164,7 @@ html::Section rounds_section(const ReportContext& context) {
   std::string names;
   for (const FactorData& f : context.data.factors)
     names += (names.empty() ? "" : ", ") + (f.quantity.symbol.empty() ? f.name : f.quantity.symbol);
-  const Markup order = html::with_indices(names);
+  const Markup order = page_text(names);
   html::Table table{
       "Where a target lies outside the design, the design moves along the steepest ascent of the desirability. Values "
       "in the "

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/report/report_parts.hpp"
 #include "render/outcome_plots.hpp"
+#include "render/text_runs.hpp"
 
 namespace asperity::app {
 namespace {
@@ -70,9 +72,11 @@ Markup outcome_table(const Value& root) {
   return html::table(table);
 }
 
-std::string two_lines(const Quantity& quantity) {
-  return quantity.symbol.empty() ? capitalised(quantity.name)
-                                 : picture_symbol(quantity) + "\n" + capitalised(quantity.name);
+/// The symbol and every word of the name, a line each: six properties stand side by side.
+std::string in_lines(const Quantity& quantity) {
+  std::string name = capitalised(quantity.name);
+  std::replace(name.begin(), name.end(), ' ', '\n');
+  return quantity.symbol.empty() ? name : picture_symbol(quantity) + "\n" + name;
 }
 
 std::vector<render::VerifiedProperty> verified_properties(const Value& root) {
@@ -80,7 +84,7 @@ std::vector<render::VerifiedProperty> verified_properties(const Value& root) {
   for (const auto& [property, v] : root["verification"].entries()) {
     const double target = v["target"].number(), mean = v["mean"].number();
     if (!std::isfinite(target) || target == 0 || !std::isfinite(mean)) continue;
-    render::VerifiedProperty p{two_lines(quantity_of(property)),
+    render::VerifiedProperty p{in_lines(quantity_of(property)),
                                target,
                                mean,
                                or_else(v["sd"].number(), 0),
@@ -96,8 +100,10 @@ std::vector<render::VerifiedProperty> verified_properties(const Value& root) {
 std::string in_words(const std::vector<render::VerifiedProperty>& properties) {
   std::string text;
   for (const render::VerifiedProperty& p : properties) {
-    const std::string name = p.name.substr(p.name.find('\n') + 1);
-    text += fmt::format("{}{} {:+.1f} %", text.empty() ? "" : ", ", name, 100 * (p.mean / p.target - 1));
+    std::string name = p.name;
+    std::replace(name.begin(), name.end(), '\n', ' ');
+    text +=
+        fmt::format("{}{} {:+.1f} %", text.empty() ? "" : ", ", render::unmarked(name), 100 * (p.mean / p.target - 1));
   }
   return text;
 }
@@ -114,7 +120,7 @@ Markup config_links(const ReportContext& context) {
 std::vector<Markup> warnings(const ReportContext& context) {
   std::vector<Markup> notices;
   for (const Value& warning : context.root["warnings"].items())
-    notices.push_back(html::notice(html::NoticeKind::warning, warning.words()));
+    notices.push_back(html::notice(html::NoticeKind::warning, page_text(warning.words())));
   return notices;
 }
 

@@ -69,9 +69,9 @@ const std::vector<const char*>& elastic_keys() {
 
 std::vector<html::Column> elastic_columns(const char* first) {
   return {{first, {}, ColumnKind::head},
-          {html::with_indices("E_p"), "GPa"},
-          {html::with_indices("ν_p"), "–"},
-          {html::with_indices("k_s/k_t"), "–"},
+          {page_text("E_p"), "GPa"},
+          {page_text("ν_p"), "–"},
+          {page_text("k_s/k_t"), "–"},
           {"E", "GPa"},
           {"ν", "–"}};
 }
@@ -102,7 +102,7 @@ Markup alternatives_table(const Value& root) {
   used.cells.emplace_back("");
   table.rows = {target, used};
   for (const Value& other : elastic["alternatives"].items()) {
-    html::Row row = elastic_row(other["name"].text(), other, other["assembly"]);
+    html::Row row = elastic_row(page_text(other["name"].text()), other, other["assembly"]);
     row.cells.emplace_back(other["reached"].words());
     if (other["reached"].exists()) row.tone = other["reached"].truth() ? RowTone::good : RowTone::bad;
     table.rows.push_back(row);
@@ -117,7 +117,7 @@ Markup stiffness_table(const Value& elastic) {
   for (const auto& [key, name] : {std::pair{"tensile_stiffness_mpa_per_mm", "normal stiffness k_t"},
                                   std::pair{"shear_stiffness_mpa_per_mm", "shear stiffness k_s"}})
     if (elastic[key].exists())
-      table.rows.push_back({{html::with_indices(name), html::number(elastic[key]["stress"].number()),
+      table.rows.push_back({{page_text(name), html::number(elastic[key]["stress"].number()),
                              html::number(elastic[key]["strain"].number())}});
   return table.rows.empty() ? Markup() : html::table(table);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <regex>
 
 namespace asperity::app {
 namespace {
@@ -81,11 +82,16 @@ Quantity quantity_of_pointer(const std::string& pointer) {
   return spelled_out(slash == std::string::npos ? pointer : pointer.substr(slash + 1));
 }
 
+std::string marked_indices(const std::string& text) {
+  // A letter, Greek ones included, that no word character precedes; then its index.
+  static const std::regex index("(^|[^A-Za-z0-9_\\x80-\\xFF])([A-Za-z]|[\\xC2-\\xDF][\\x80-\\xBF])_([A-Za-z0-9]+)");
+  return std::regex_replace(text, index, "$1$2_{$3}");
+}
+
+html::Markup page_text(const std::string& text) { return html::with_indices(marked_indices(text)); }
+
 std::string picture_symbol(const Quantity& quantity) {
-  if (quantity.symbol.empty()) return quantity.name;
-  const std::size_t mark = quantity.symbol.find('_');
-  if (mark == std::string::npos || quantity.symbol.find("_{") != std::string::npos) return quantity.symbol;
-  return quantity.symbol.substr(0, mark) + "_{" + quantity.symbol.substr(mark + 1) + "}";
+  return quantity.symbol.empty() ? quantity.name : marked_indices(quantity.symbol);
 }
 
 std::string axis_label(const Quantity& quantity) {

@@ -23,6 +23,12 @@ std::string axis_label(const Quantity& quantity);
 /// "σ_{t} [MPa]", or the name where there is no symbol.
 std::string short_axis_label(const Quantity& quantity);
 
+/// The text with every index after a single letter in braces, "k_s/k_t" as "k_{s}/k_{t}"; "tensile_strength" stays.
+std::string marked_indices(const std::string& text);
+
+/// The same for a page, its indices lowered.
+html::Markup page_text(const std::string& text);
+
 /// Symbol with lowered index for a picture; the name where there is no symbol.
 std::string picture_symbol(const Quantity& quantity);
 

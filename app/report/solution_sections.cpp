@@ -123,8 +123,13 @@ render::Range target_range(const Value& root, const Value& verified, const std::
 
 render::VerifiedSet verified_set(const Value& set, const std::string& x, const std::string& y) {
   const Value vx = set["verification"][x], vy = set["verification"][y];
-  return {set["name"].text(), vx["mean"].number(),    vy["mean"].number(),   vx["sd"].number(),
-          vy["sd"].number(),  vx["values"].numbers(), vy["values"].numbers()};
+  return {marked_indices(set["name"].text()),
+          vx["mean"].number(),
+          vy["mean"].number(),
+          vx["sd"].number(),
+          vy["sd"].number(),
+          vx["values"].numbers(),
+          vy["values"].numbers()};
 }
 
 Markup trade_off_figure(const ReportContext& context, const std::vector<Value>& sets) {
@@ -162,7 +167,7 @@ Markup trade_off_table(const std::vector<Value>& sets) {
   for (const auto& [property, v] : properties) table.columns.push_back(quantity_column(quantity_of(property)));
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const std::string letter(1, static_cast<char>('A' + i % 26));
-    html::Row row{{html::strong(letter) + " " + sets[i]["name"].text(), sets[i]["why"].text()}};
+    html::Row row{{html::strong(letter) + " " + page_text(sets[i]["name"].text()), page_text(sets[i]["why"].text())}};
     for (const auto& [property, first] : properties) {
       const Value v = sets[i]["verification"][property];
       const double mean = v["mean"].number(), target = v["target"].number();

@@ -43,11 +43,18 @@ void append_letters(std::string_view text, std::size_t& at, Letters letters, std
   out += word.size() == 1 && letters == Letters::italic ? fmt::format("<i>{}</i>", word) : std::string(word);
 }
 
+/// Whether an index or exponent follows: in a formula any, in other text only "_{".
+bool is_mark(std::string_view text, std::size_t at, Letters letters) {
+  if (at + 1 >= text.size()) return false;
+  if (letters == Letters::upright) return text.substr(at, 2) == "_{";
+  return text[at] == '_' || text[at] == '^';
+}
+
 std::string set_formula(std::string_view text, Letters letters) {
   std::string out;
   for (std::size_t at = 0; at < text.size();) {
     const char c = text[at];
-    if ((c == '_' || c == '^') && at + 1 < text.size()) {
+    if (is_mark(text, at, letters)) {
       const std::string_view tag = c == '_' ? "sub" : "sup";
       out += fmt::format("<{0}>{1}</{0}>", tag, set_formula(take_group(text, ++at), letters));
     } else if (is_letter(c)) {

@@ -38,7 +38,7 @@ Markup number(double value, int digits = 4);
 /// "D = (d_1 d_2)^{1/2}".
 Markup formula(std::string_view text);
 
-/// A symbol or label that holds "_{...}" or "_x" as in formula(), its letters upright.
+/// A symbol or label in which "_{...}" is lowered, all else as it stands.
 Markup with_indices(std::string_view text);
 
 Markup paragraph(const Markup& text);
