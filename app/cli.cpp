@@ -91,6 +91,15 @@ void add_render(CLI::App& cli, Action& action) {
   command->callback([=, &action] { action = [=] { return render_command(*options); }; });
 }
 
+void add_report(CLI::App& cli, Action& action) {
+  auto folder = std::make_shared<std::filesystem::path>();
+  CLI::App* command =
+      cli.add_subcommand("report", "Writes the report page of a calibration's folder anew, with its plots");
+  command->add_option("dir", *folder, "Folder with calibration.json")->required();
+  command->footer("Example:\n  asperity report outputs/plaster");
+  command->callback([=, &action] { action = [=] { return report_command(*folder); }; });
+}
+
 void add_audit(CLI::App& cli, Action& action) {
   auto options = std::make_shared<AuditOptions>();
   CLI::App* command = cli.add_subcommand(
@@ -209,7 +218,7 @@ int run_command_line(int argc, char** argv) {
       "data, "
       "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
   Action action;
-  for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_audit,
+  for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_report, add_audit,
                          add_campaign, add_calibrate, add_acceleration, add_bench, add_info}) {
     add(cli, action);
   }

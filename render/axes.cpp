@@ -44,9 +44,26 @@ double side_room(const Axis& axis, const AxesStyle& style) {
   return widest(axis, style.tick_size) + 2 * kGap * style.tick_size + label;
 }
 
+/// The lines of a tick's label; names of categories may have two.
+std::vector<std::string> lines_of(const std::string& label) {
+  std::vector<std::string> lines(1);
+  for (const char c : label)
+    if (c == '\n')
+      lines.emplace_back();
+    else
+      lines.back() += c;
+  return lines;
+}
+
+double tick_lines(const Axis& axis) {
+  std::size_t lines = 1;
+  for (const Tick& tick : axis.ticks) lines = std::max(lines, lines_of(tick.label).size());
+  return static_cast<double>(lines);
+}
+
 double bottom_room(const Axis& axis, const AxesStyle& style) {
   const double label = axis.label.empty() ? 0 : kLineHeight * style.label_size + kGap * style.tick_size;
-  return (kLineHeight + 2 * kGap) * style.tick_size + label;
+  return (kLineHeight * tick_lines(axis) + 2 * kGap) * style.tick_size + label;
 }
 
 void draw_x_axis(Drawing& drawing, const PlotArea& area, const AxesStyle& style) {
@@ -56,10 +73,16 @@ void draw_x_axis(Drawing& drawing, const PlotArea& area, const AxesStyle& style)
     const double x = std::round(area.place(tick.value, area.y.range.low).x);
     add_line(drawing, {x, area.box.bottom}, {x, area.box.bottom + kTickLength * style.tick_size},
              {style::kInk, style.line_width, {}, Cap::butt});
-    drawing.shapes.push_back(Text{
-        {x, baseline}, tick.label, style.tick_size, Anchor::centre, Weight::regular, Direction::across, style::kInk});
+    double down = 0;
+    for (const std::string& line : lines_of(tick.label)) {
+      const Vec2 at{x, baseline + down};
+      drawing.shapes.push_back(
+          Text{at, line, style.tick_size, Anchor::centre, Weight::regular, Direction::across, style::kInk});
+      down += kLineHeight * style.tick_size;
+    }
   }
-  const double below = baseline + gap + kLineHeight * style.label_size;
+  const double more_lines = (tick_lines(area.x) - 1) * kLineHeight * style.tick_size;
+  const double below = baseline + more_lines + gap + kLineHeight * style.label_size;
   drawing.shapes.push_back(Text{{area.box.centre().x, below},
                                 area.x.label,
                                 style.label_size,
@@ -133,11 +156,16 @@ Vec2 PlotArea::place_second(double x_value, double y_value) const {
           box.bottom - fraction_in(second_y.range, y_value) * box.height()};
 }
 
-PlotArea fit_axes(const Box& outer, Axis x, Axis y, Axis second_y, const AxesStyle& style) {
+Margins axes_margins(const Axis& x, const Axis& y, const Axis& second_y, const AxesStyle& style) {
   const double overhang = x.ticks.empty() ? 0 : 0.5 * text_width(x.ticks.back().label, style.tick_size) + 2;
   const double right = second_y.ticks.empty() ? overhang : side_room(second_y, style);
-  const Box box{std::round(outer.left + side_room(y, style)), std::round(outer.top + 0.5 * style.tick_size),
-                std::round(outer.right - right), std::round(outer.bottom - bottom_room(x, style))};
+  return {side_room(y, style), 0.5 * style.tick_size, right, bottom_room(x, style)};
+}
+
+PlotArea fit_axes(const Box& outer, Axis x, Axis y, Axis second_y, const AxesStyle& style) {
+  const Margins room = axes_margins(x, y, second_y, style);
+  const Box box{std::round(outer.left + room.left), std::round(outer.top + room.top),
+                std::round(outer.right - room.right), std::round(outer.bottom - room.bottom)};
   return {box, std::move(x), std::move(y), std::move(second_y)};
 }
 

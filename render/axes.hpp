@@ -7,6 +7,7 @@
 
 namespace asperity::render {
 
+/// A mark on an axis; "\n" in the label of a horizontal axis begins a second line.
 struct Tick {
   double value = 0;
   std::string label;
@@ -40,6 +41,14 @@ struct PlotArea {
 struct AxesStyle {
   double tick_size = 26, label_size = 28, line_width = 2;
 };
+
+/// Room around a frame, in pixels.
+struct Margins {
+  double left = 0, top = 0, right = 0, bottom = 0;
+};
+
+/// The room that ticks and labels take around the frame.
+Margins axes_margins(const Axis& x, const Axis& y, const Axis& second_y, const AxesStyle& style);
 
 /// The area whose axes, tick labels and axis labels together fill `outer`.
 PlotArea fit_axes(const Box& outer, Axis x, Axis y, Axis second_y, const AxesStyle& style);

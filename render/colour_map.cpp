@@ -34,6 +34,9 @@ constexpr std::array<Colour, 11> kRedBlue{from_hex(0x053061), from_hex(0x2166AC)
                                           from_hex(0xFDDBC7), from_hex(0xF4A582), from_hex(0xD6604D),
                                           from_hex(0xB2182B), from_hex(0x67001F)};
 
+// From white to a grey on which coloured lines still show: for a field under such lines.
+constexpr std::array<Colour, 2> kGrey{from_hex(0xFFFFFF), from_hex(0x9A9A9A)};
+
 std::span<const Colour> samples_of(ColourMap map) {
   switch (map) {
     case ColourMap::magma_light_to_dark:
@@ -44,6 +47,8 @@ std::span<const Colour> samples_of(ColourMap map) {
       return kCividis;
     case ColourMap::red_blue:
       return kRedBlue;
+    case ColourMap::grey:
+      return kGrey;
   }
   return kViridis;
 }

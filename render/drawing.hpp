@@ -37,7 +37,8 @@ enum class Anchor { left, centre, right };
 enum class Weight { regular, bold };
 enum class Direction { across, upwards };
 
-/// One line of UTF-8 text whose baseline passes through `at`; `size` is the font's size in pixels.
+/// One line of UTF-8 text whose baseline passes through `at`; `size` is the font's size in pixels. "_{...}" lowers
+/// what it holds ("t_{c}").
 struct Text {
   Vec2 at;
   std::string text;

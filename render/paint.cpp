@@ -25,6 +25,7 @@
 #include "render/offscreen/gl_context.hpp"
 #include "render/tessellate.hpp"
 #include "render/text_metrics.hpp"
+#include "render/text_runs.hpp"
 
 namespace asperity::render {
 namespace {
@@ -98,6 +99,26 @@ vtkNew<vtkTextActor> to_actor(const Text& text, int height) {
   return actor;
 }
 
+/// A line of several runs as lines of one run each, all anchored at their left.
+std::vector<Text> split(const Text& text) {
+  const std::vector<TextRun> runs = runs_of(text.text, text.size, text.weight);
+  if (runs.size() == 1 && runs.front().below == 0) return {text};
+  const double width = text_width(text.text, text.size, text.weight);
+  const double before = text.anchor == Anchor::left ? 0 : text.anchor == Anchor::right ? width : 0.5 * width;
+  const bool upwards = text.direction == Direction::upwards;
+  std::vector<Text> parts;
+  for (const TextRun& run : runs) {
+    const double along = run.along - before;
+    Text part = text;
+    part.at = text.at + (upwards ? Vec2{run.below, -along} : Vec2{along, run.below});
+    part.text = run.text;
+    part.size = run.size;
+    part.anchor = Anchor::left;
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 /// The one window of the process. Its context is made before it and destroyed after it.
 class Painter {
  public:
@@ -138,7 +159,7 @@ class Painter {
     renderer->AddActor(to_actor(to_poly_data(tessellate(drawing), drawing.height)));
     for (const Shape& shape : drawing.shapes)
       if (const Text* text = std::get_if<Text>(&shape); text && !text->text.empty())
-        renderer->AddActor2D(to_actor(*text, drawing.height));
+        for (const Text& part : split(*text)) renderer->AddActor2D(to_actor(part, drawing.height));
     vtkCamera* camera = renderer->GetActiveCamera();
     camera->ParallelProjectionOn();
     camera->SetFocalPoint(0.5 * drawing.width, 0.5 * drawing.height, 0);

@@ -12,9 +12,7 @@
 namespace asperity::render {
 namespace {
 
-constexpr double kMargin = 36;        // around the plot
-constexpr double kHeadroom = 0.04;    // of the data's range, above and below
-constexpr double kZeroIsNear = 0.35;  // an axis reaches zero if that lengthens it by no more than this part
+constexpr double kMargin = 36;  // around the plot
 constexpr int kParts = 7;
 
 /// The upper edge of every series: its own y, or for stacked areas the sum with those below.
@@ -29,18 +27,6 @@ std::vector<std::vector<double>> upper_edges(const Plot& plot) {
     below = &edges.back();
   }
   return edges;
-}
-
-Range reaching_zero(Range range) {
-  const double length = range.high - range.low;
-  if (range.low > 0 && range.low < kZeroIsNear * length) range.low = 0;
-  if (range.high < 0 && -range.high < kZeroIsNear * length) range.high = 0;
-  return range;
-}
-
-Range with_headroom(Range range) {
-  const Range wide = widened(range, kHeadroom);
-  return {range.low == 0 ? 0 : wide.low, range.high == 0 ? 0 : wide.high};
 }
 
 Range range_of_x(const Plot& plot) {

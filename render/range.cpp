@@ -15,6 +15,20 @@ Range widened(Range range, double margin) {
   return {range.low - margin * length, range.high + margin * length};
 }
 
+Range reaching_zero(Range range) {
+  constexpr double kZeroIsNear = 0.35;
+  const double length = range.high - range.low;
+  if (range.low > 0 && range.low < kZeroIsNear * length) range.low = 0;
+  if (range.high < 0 && -range.high < kZeroIsNear * length) range.high = 0;
+  return range;
+}
+
+Range with_headroom(Range range) {
+  constexpr double kHeadroom = 0.04;
+  const Range wide = widened(range, kHeadroom);
+  return {range.low == 0 ? 0 : wide.low, range.high == 0 ? 0 : wide.high};
+}
+
 Range percentiles(std::vector<double> values, double low, double high) {
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
   if (values.empty()) return {0, 0};

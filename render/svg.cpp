@@ -7,6 +7,7 @@
 #include "core/base/atomic_file.hpp"
 #include "render/paint.hpp"
 #include "render/tessellate.hpp"
+#include "render/text_runs.hpp"
 
 namespace asperity::render {
 namespace {
@@ -50,6 +51,20 @@ const char* anchor_name(Anchor anchor) {
   return anchor == Anchor::left ? "start" : anchor == Anchor::right ? "end" : "middle";
 }
 
+/// The line's runs; a lowered one is a tspan, and the next goes back up to the baseline.
+std::string marked_up(const Text& text) {
+  std::string out;
+  double below = 0;
+  for (const TextRun& run : runs_of(text.text, text.size, text.weight)) {
+    const double shift = run.below - below;
+    const std::string size = run.below == 0 ? "" : fmt::format(" font-size=\"{:g}\"", run.size);
+    out += shift == 0 ? escaped(run.text)
+                      : fmt::format("<tspan dy=\"{:.2f}\"{}>{}</tspan>", shift, size, escaped(run.text));
+    below = run.below;
+  }
+  return out;
+}
+
 struct SvgWriter {
   std::string operator()(const Triangle& triangle) const {
     return polygon({triangle.corners.begin(), triangle.corners.end()}, triangle.fill);
@@ -75,7 +90,7 @@ struct SvgWriter {
     return fmt::format(
         "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:g}\" text-anchor=\"{}\" fill=\"{}\"{}{}>{}</text>\n", text.at.x,
         text.at.y, text.size, anchor_name(text.anchor), hex(text.colour), weight_attribute(text.weight), turn,
-        escaped(text.text));
+        marked_up(text));
   }
 };
 

@@ -8,9 +8,11 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include "core/base/error.hpp"
+#include "render/text_runs.hpp"
 
 namespace asperity::render {
 namespace {
@@ -26,11 +28,11 @@ std::string existing_font(const char* name) {
   throw Error(ErrorKind::output, "cannot draw text: " + file.string() + " is missing; install fonts-dejavu-core");
 }
 
-double measured_width(const std::string& text, Weight weight) {
+double measured_width(const std::string& text, Weight weight, int size) {
   vtkNew<vtkTextProperty> property;
   property->SetFontFamily(VTK_FONT_FILE);
   property->SetFontFile(font_file(weight).c_str());
-  property->SetFontSize(kMeasuredSize);
+  property->SetFontSize(size);
   int box[4] = {0, 0, 0, 0};
   vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(text), box, kDotsPerInch,
                                                  vtkTextRenderer::FreeType);
@@ -45,12 +47,33 @@ std::string font_file(Weight weight) {
 }
 
 double text_width(const std::string& text, double size, Weight weight) {
-  return text.empty() ? 0 : measured_width(text, weight) * size / kMeasuredSize;
+  if (text.empty()) return 0;
+  if (text.find("_{") == std::string::npos) return measured_width(text, weight, kMeasuredSize) * size / kMeasuredSize;
+  const std::vector<TextRun> runs = runs_of(text, size, weight);
+  return runs.empty() ? 0 : runs.back().along + text_width(runs.back().text, runs.back().size, weight);
+}
+
+double text_advance(const std::string& text, double size, Weight weight) {
+  const int pixels = static_cast<int>(std::lround(size));
+  return measured_width("|" + text + "|", weight, pixels) - measured_width("||", weight, pixels);
 }
 
 double fitting_size(const std::string& text, double size, Weight weight, double available) {
   const double width = text_width(text, size, weight);
   return width <= available ? size : std::floor(size * available / width);
+}
+
+std::vector<std::string> wrapped(const std::string& text, double size, double available) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const std::string longer = lines.empty() ? word : lines.back() + " " + word;
+    if (!lines.empty() && text_width(longer, size) <= available)
+      lines.back() = longer;
+    else
+      lines.push_back(word);
+  }
+  return lines;
 }
 
 double text_descent(double size) { return kDescent * size; }

@@ -50,6 +50,9 @@ struct RenderOptions {
 
 int render_command(const RenderOptions& options);
 
+/// Writes report.html of a calibration's folder anew and prints its path.
+int report_command(const std::filesystem::path& folder);
+
 struct AuditOptions {
   int seeds = 3;
   int jobs = 0;                                     ///< 0: one a core.

@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <cmath>
+
+#include "render/chart_layers.hpp"
+#include "render/style.hpp"
+#include "render/text_metrics.hpp"
+
+namespace asperity::render {
+namespace {
+
+constexpr double kNameSize = 24;     // pixels
+constexpr double kNameGap = 6;       // between a point's marker and its name, pixels
+constexpr double kErrorRoom = 5;     // around an error bar, pixels
+constexpr double kCapHeight = 0.73;  // of DejaVu Sans, parts of the size
+
+Box around(Vec2 centre, double x, double y) { return {centre.x - x, centre.y - y, centre.x + x, centre.y + y}; }
+
+void reserve_points(const PlotArea& area, const PointLayer& layer, Occupied& occupied) {
+  for (std::size_t i = 0; i < std::min(layer.x.size(), layer.y.size()); ++i) {
+    const Vec2 at = area.place(layer.x[i], layer.y[i]);
+    if (!near_box(at, area.box)) continue;
+    occupied.boxes.push_back(around(at, 1.4 * layer.marker.radius, 1.4 * layer.marker.radius));
+    for (const Vec2 arm : error_arms(area, layer, i))
+      occupied.boxes.push_back(around(at, arm.x + kErrorRoom, arm.y + kErrorRoom));
+  }
+}
+
+void reserve_line(const PlotArea& area, const std::vector<Vec2>& points, double width, Occupied& occupied) {
+  for (const Vec2 p : points) occupied.lines.push_back(around(area.place(p.x, p.y), width, width));
+}
+
+/// The four edges of a rectangle.
+void reserve_edges(const PlotArea& area, const BoxLayer& layer, Occupied& occupied) {
+  const Vec2 a = area.place(layer.x.low, layer.y.high), b = area.place(layer.x.high, layer.y.low);
+  const double w = layer.edge->width;
+  for (const double x : {a.x, b.x}) occupied.lines.push_back({x - w, a.y - w, x + w, b.y + w});
+  for (const double y : {a.y, b.y}) occupied.lines.push_back({a.x - w, y - w, b.x + w, y + w});
+}
+
+/// The places for a name around a point: right, left, above, below, then the corners, then all of them farther off.
+std::vector<Text> places(Vec2 at, double radius, const std::string& name) {
+  const double off = radius + kNameGap, up = 0.5 * kCapHeight * kNameSize, down = off + kCapHeight * kNameSize;
+  std::vector<Text> found;
+  const auto add = [&](Vec2 shift, Anchor anchor) {
+    found.push_back({at + shift, name, kNameSize, anchor, Weight::regular, Direction::across, style::kInk});
+  };
+  for (const double far : {1.0, 1.8, 2.8, 4.0}) {
+    add({far * off, up}, Anchor::left);
+    add({-far * off, up}, Anchor::right);
+    add({0, -far * off}, Anchor::centre);
+    add({0, far * down}, Anchor::centre);
+    for (const double y : {-far * off, far * down}) {
+      add({far * off, y}, Anchor::left);
+      add({-far * off, y}, Anchor::right);
+    }
+  }
+  return found;
+}
+
+bool meets_none(const Box& box, const std::vector<Box>& others) {
+  return std::none_of(others.begin(), others.end(), [&](const Box& other) {
+    return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom;
+  });
+}
+
+}  // namespace
+
+bool Occupied::free(const Box& box) const { return meets_none(box, boxes); }
+
+bool Occupied::free_of_lines(const Box& box) const { return meets_none(box, lines); }
+
+void reserve(const PlotArea& area, const Layer& layer, Occupied& occupied) {
+  if (const auto* points = std::get_if<PointLayer>(&layer)) reserve_points(area, *points, occupied);
+  if (const auto* box = std::get_if<BoxLayer>(&layer); box && box->edge) reserve_edges(area, *box, occupied);
+  if (const auto* contour = std::get_if<ContourLayer>(&layer))
+    for (const auto& line : contour_lines(contour->grid, contour->level))
+      reserve_line(area, line, contour->stroke.width, occupied);
+}
+
+void draw_names(Drawing& drawing, const PlotArea& area, const PointLayer& layer, Occupied& occupied) {
+  for (std::size_t i = 0; i < std::min({layer.names.size(), layer.x.size(), layer.y.size()}); ++i) {
+    const Vec2 at = area.place(layer.x[i], layer.y[i]);
+    if (layer.names[i].empty() || !near_box(at, area.box)) continue;
+    for (const Text& text : places(at, layer.marker.radius, layer.names[i])) {
+      const Box box = text_box(text);
+      if (!within(box, area.box) || !occupied.free(box)) continue;
+      drawing.shapes.push_back(text);
+      occupied.boxes.push_back(box);
+      break;
+    }
+  }
+}
+
+}  // namespace asperity::render
