@@ -12,9 +12,9 @@ struct CampaignConfig {
   std::string name;
   std::string description;
   SlurmConfig slurm;
-  std::vector<CampaignRun> runs;         ///< The grid (base, then each entry of "vary", then the seed), then "runs".
-  std::vector<std::string> base_names;   ///< Of each run: the stem of the configuration it was made from.
-  std::vector<std::string> varied;       ///< Pointers in which the runs differ by the file's will, without the seed's.
+  std::vector<CampaignRun> runs;        ///< The grid (base, then each entry of "vary", then the seed), then "runs".
+  std::vector<std::string> base_names;  ///< Of each run: the stem of the configuration it was made from.
+  std::vector<std::string> varied;      ///< Pointers in which the runs differ by the file's will, without the seed's.
 };
 
 /// Reads the file. An override ("/json/pointer=value") at a key of the campaign schema changes the campaign, any other
