@@ -55,7 +55,8 @@ void add_validate(CLI::App& cli, Action& action) {
   auto overrides = std::make_shared<std::vector<std::string>>();
   CLI::App* command =
       cli.add_subcommand("validate", "Makes every check of `run`, the mesh's included, and writes nothing");
-  command->add_option("config", *configs, "Configurations (JSON) of runs or, by their \"$schema\", of campaigns")->required();
+  command->add_option("config", *configs, "Configurations (JSON) of runs or, by their \"$schema\", of campaigns")
+      ->required();
   add_overrides(*command, *overrides);
   command->footer("Example:\n  asperity validate configs/paper/*.json");
   command->callback([=, &action] { action = [=] { return validate_command(*configs, *overrides); }; });
@@ -151,7 +152,8 @@ void add_campaign_options(CLI::App& command, CampaignSessionOptions& options) {
   command.add_option("--executor", options.executor, "local, or slurm: array jobs by sbatch")
       ->capture_default_str()
       ->check(CLI::IsMember({"local", "slurm"}));
-  command.add_option("--store", options.store, "Folder of the run folders; campaigns that share it share finished runs")
+  command
+      .add_option("--store", options.store, "Folder of the run folders; campaigns that share it share finished runs")
       ->capture_default_str();
   command.add_flag("--quiet", options.quiet, "No progress on stderr");
 }

@@ -152,8 +152,8 @@ void Campaign::end(std::size_t j, const TaskEnd& end) {
     return conclude(j, RunStatus::finished, stored_end(job.files).reason, 0);
   }
   // Another campaign that shares the store was quicker: wait for it, or take what it has made.
-  const bool overtaken = end.exit_code == static_cast<int>(ErrorKind::output) &&
-                         (stand == RunStand::busy || stand == RunStand::finished);
+  const bool overtaken =
+      end.exit_code == static_cast<int>(ErrorKind::output) && (stand == RunStand::busy || stand == RunStand::finished);
   if (overtaken) {
     job.begun = false;
     return ledger_.stop(j);

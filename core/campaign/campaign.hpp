@@ -39,15 +39,15 @@ struct CampaignOptions {
   int jobs = 0;                      ///< Local processes at once; 0: one a core.
   Executor executor = Executor::local;
   SlurmConfig slurm;
-  std::function<bool()> interrupted;                        ///< Asked often; true ends the campaign early.
+  std::function<bool()> interrupted;                         ///< Asked often; true ends the campaign early.
   std::function<void(const CampaignProgress&)> on_progress;  ///< Called often, a few times a second at least.
 };
 
 /// Computes every run that the store does not hold yet, each in a process of its own with one thread, and returns the
 /// outcomes in the order of the runs. Runs of one configuration are computed once. A failed run does not stop the rest,
-/// and one that would fail in the same way again (exit codes 3, 4, 6, same code) is told, not repeated. Interrupted, the
-/// runs in work write checkpoints; called again, the campaign goes on from there, as it does after a kill. Which results
-/// lie in the store does not depend on jobs, executor or interruptions.
+/// and one that would fail in the same way again (exit codes 3, 4, 6, same code) is told, not repeated. Interrupted,
+/// the runs in work write checkpoints; called again, the campaign goes on from there, as it does after a kill. Which
+/// results lie in the store does not depend on jobs, executor or interruptions.
 ///
 /// Throws Error(config) where the executable or Slurm is not there, or Slurm refuses what it is asked; Error(output)
 /// where the store cannot be written.

@@ -13,9 +13,9 @@ struct CampaignConfig {
   std::string name;
   std::string description;
   SlurmConfig slurm;
-  std::vector<CampaignRun> runs;         ///< The grid (base, then each entry of "vary", then the seed), then "runs".
-  std::vector<std::string> base_names;   ///< Of each run: the stem of the configuration it was made from.
-  std::vector<std::string> varied;       ///< Pointers in which the runs differ by the file's will, without the seed's.
+  std::vector<CampaignRun> runs;        ///< The grid (base, then each entry of "vary", then the seed), then "runs".
+  std::vector<std::string> base_names;  ///< Of each run: the stem of the configuration it was made from.
+  std::vector<std::string> varied;      ///< Pointers in which the runs differ by the file's will, without the seed's.
 };
 
 /// The section "slurm" of a document that holds to its schema; what is not there keeps its default.

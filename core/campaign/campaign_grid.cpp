@@ -41,9 +41,8 @@ std::vector<std::uint64_t> seeds_of(const json& document) {
 /// The last part of a pointer, or the whole where another varied key ends in the same.
 std::string short_name(const json& vary, const std::string& pointer) {
   const std::string last = pointer_tokens(pointer).back();
-  const auto same = std::count_if(vary.begin(), vary.end(), [&](const json& entry) {
-    return pointer_tokens(entry.at("pointer")).back() == last;
-  });
+  const auto same = std::count_if(
+      vary.begin(), vary.end(), [&](const json& entry) { return pointer_tokens(entry.at("pointer")).back() == last; });
   return same > 1 ? pointer : last;
 }
 

@@ -10,11 +10,11 @@ namespace asperity {
 /// Where a campaign stands, over all its runs.
 struct CampaignProgress {
   std::size_t runs = 0;
-  std::size_t done = 0;     ///< Finished or failed.
-  std::size_t running = 0;  ///< Processes at work.
-  std::size_t failed = 0;   ///< Part of `done`.
-  std::size_t reused = 0;   ///< Part of `done`.
-  double fraction = 0;      ///< Share of the expected cost that is done, 0 to 1.
+  std::size_t done = 0;          ///< Finished or failed.
+  std::size_t running = 0;       ///< Processes at work.
+  std::size_t failed = 0;        ///< Part of `done`.
+  std::size_t reused = 0;        ///< Part of `done`.
+  double fraction = 0;           ///< Share of the expected cost that is done, 0 to 1.
   std::optional<double> left_s;  ///< Eq. (Q2); unset before anything was measured.
 };
 

@@ -29,7 +29,8 @@ Summaries read_summaries(const std::vector<CampaignOutcome>& outcomes) {
 
 /// A label or a value may hold a line break, a row may not.
 CsvCell word_cell(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return {std::string_view(text)};
 }
 
@@ -88,16 +89,11 @@ std::vector<std::string> columns_of(const CampaignConfig& config, const std::vec
 
 Json run_json(const CampaignConfig& config, std::size_t i, const CampaignOutcome& outcome) {
   const RunConfig& run = config.runs[i].config;
-  Json json = {{"label", outcome.label},
-               {"folder", outcome.folder.string()},
-               {"config", config.base_names[i]},
-               {"config_hash", config_hash(run)},
-               {"seed", run.particles.seed},
-               {"status", status_word(outcome.status)},
-               {"reason", outcome.reason},
-               {"reused", outcome.reused},
-               {"exit_code", outcome.exit_code},
-               {"compute_s", outcome.compute_s}};
+  Json json = {{"label", outcome.label},         {"folder", outcome.folder.string()},
+               {"config", config.base_names[i]}, {"config_hash", config_hash(run)},
+               {"seed", run.particles.seed},     {"status", status_word(outcome.status)},
+               {"reason", outcome.reason},       {"reused", outcome.reused},
+               {"exit_code", outcome.exit_code}, {"compute_s", outcome.compute_s}};
   for (const std::string& pointer : config.varied) json["varied"][pointer] = plain_value(run, pointer);
   return json;
 }

@@ -11,7 +11,7 @@
 namespace asperity {
 
 /// A process of ours, in a process group of its own, so that a terminal's Ctrl-C reaches it only through us. It gets
-/// SIGTERM when this process dies, however it dies.
+/// SIGTERM when this process dies, however it dies; to the system that is when the thread ends that made it.
 class ChildProcess {
  public:
   /// Starts the task; its stdin is empty. A command that cannot be started ends with 127, as in a shell, and its log

@@ -92,9 +92,8 @@ std::optional<std::map<SlurmTaskId, bool>> queued_tasks(const std::string& name)
 std::string accounted_state(const SlurmTaskId& task) {
   if (!find_program("sacct")) return "";
   const std::string id = std::to_string(task.job) + "_" + std::to_string(task.index);
-  const CommandResult result =
-      run_command_to_end({"sacct", "--noheader", "--parsable2", "--allocations", "--jobs=" + id, "--format=State"},
-                         kAnswerWithin);
+  const CommandResult result = run_command_to_end(
+      {"sacct", "--noheader", "--parsable2", "--allocations", "--jobs=" + id, "--format=State"}, kAnswerWithin);
   if (result.end.exit_code != 0) return "";
   return trimmed(result.out.substr(0, result.out.find('\n')));
 }
@@ -104,6 +103,8 @@ void cancel_tasks(const std::string& name) {
   run_command_to_end({"scancel", "--quiet", "--name=" + name, "--batch", "--signal=TERM"}, kAnswerWithin);
 }
 
-void kill_tasks(const std::string& name) { run_command_to_end({"scancel", "--quiet", "--name=" + name}, kAnswerWithin); }
+void kill_tasks(const std::string& name) {
+  run_command_to_end({"scancel", "--quiet", "--name=" + name}, kAnswerWithin);
+}
 
 }  // namespace asperity

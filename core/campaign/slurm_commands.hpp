@@ -21,9 +21,9 @@ struct SlurmTaskId {
 
 /// An array to be submitted.
 struct SlurmArray {
-  std::string name;               ///< Of the job; all arrays of one campaign share it.
-  std::filesystem::path script;   ///< Run once for each task, with SLURM_ARRAY_TASK_ID from 0.
-  std::filesystem::path folder;   ///< For what Slurm itself prints, task_N.out.
+  std::string name;              ///< Of the job; all arrays of one campaign share it.
+  std::filesystem::path script;  ///< Run once for each task, with SLURM_ARRAY_TASK_ID from 0.
+  std::filesystem::path folder;  ///< For what Slurm itself prints, task_N.out.
   std::size_t size = 0;
   int at_once = 0;  ///< 0: as many as Slurm starts.
 };

@@ -94,8 +94,7 @@ void SlurmRun::submit(const std::vector<std::size_t>& chosen, int at_once) try {
   std::vector<Task> tasks;
   for (const std::size_t i : chosen) tasks.push_back(queue_.task(i));
   const fs::path array = folder_.write_array(tasks);
-  const std::int64_t job =
-      submit_array({folder_.name(), array_script(array), array, tasks.size(), at_once}, config_);
+  const std::int64_t job = submit_array({folder_.name(), array_script(array), array, tasks.size(), at_once}, config_);
   refusals_ = 0;
   for (int k = 0; k < static_cast<int>(chosen.size()); ++k) {
     Entry& entry = entries_[chosen[k]];

@@ -90,8 +90,8 @@ fs::path SlurmFolder::write_array(const std::vector<Task>& tasks) {
   for (int i = 0; i < static_cast<int>(tasks.size()); ++i) {
     write_file_atomically(array / task_file(i, ".sh"), task_script(tasks[i], array / task_file(i, ".exit")));
   }
-  write_file_atomically(array_script(array), "#!/bin/sh\nexec /bin/sh " + quoted(array.string()) +
-                                                 "/task_\"${SLURM_ARRAY_TASK_ID}\".sh\n");
+  write_file_atomically(array_script(array),
+                        "#!/bin/sh\nexec /bin/sh " + quoted(array.string()) + "/task_\"${SLURM_ARRAY_TASK_ID}\".sh\n");
   return array;
 }
 

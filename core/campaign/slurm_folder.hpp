@@ -9,8 +9,8 @@
 
 namespace asperity {
 
-/// The files of one campaign's array jobs. Its name is the name of the jobs; as long as the campaign lives it is locked,
-/// so what a killed one left can be told from what a living one needs.
+/// The files of one campaign's array jobs. Its name is the name of the jobs; as long as the campaign lives it is
+/// locked, so what a killed one left can be told from what a living one needs.
 class SlurmFolder {
  public:
   /// Makes a folder of a new name in `parent`. Throws Error(output).

@@ -47,12 +47,8 @@ RunView unfinished_view(const StoredRun& run) {
 StoredRun stored_run(const fs::path& store, const RunConfig& config) {
   const std::string hash = config_hash(config);
   const std::string id = hash.substr(0, kIdDigits);
-  return {id,
-          identity_of(hash),
-          store / (id + ".json"),
-          store / id,
-          store / (id + ".log"),
-          store / (id + ".failure.json")};
+  return {id,         identity_of(hash),     store / (id + ".json"),
+          store / id, store / (id + ".log"), store / (id + ".failure.json")};
 }
 
 void write_config(const StoredRun& run, RunConfig config) {

@@ -20,7 +20,8 @@ std::string read_config_text(const std::filesystem::path& path);
 /// Error(config) where the file cannot be read.
 std::string config_kind(const std::filesystem::path& path);
 
-/// The same as read_run_config for a text; `origin` names it in syntax faults, and its stem is the run's name if the text has none.
+/// The same as read_run_config for a text; `origin` names it in syntax faults, and its stem is the run's name if the
+/// text has none.
 RunConfig parse_run_config(const std::string& text, const std::string& origin,
                            const std::vector<std::string>& overrides = {});
 

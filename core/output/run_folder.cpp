@@ -118,7 +118,8 @@ bool cut_off_at_start(const fs::path& root) {
 }
 
 bool is_written(const fs::path& root) {
-  if (!fs::exists(root / kLockName)) return false;
+  std::error_code unreadable;  // then nothing is known to write there, and what comes next says why
+  if (!fs::exists(root / kLockName, unreadable)) return false;
   const FileDescriptor lock(root / kLockName, O_RDWR);
   return ::flock(lock.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
 }

@@ -10,6 +10,7 @@ import tempfile
 import time
 
 PROGRAMS = ["munged", "munge", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "scontrol", "sinfo"]
+HOST = socket.gethostname().split(".")[0]
 SECONDS = 30  # for a daemon to come up or go down; it takes about three
 SYSTEM_PATH = "/usr/sbin:/usr/bin:/sbin:/bin"
 CONFIGURATION = """
@@ -37,7 +38,8 @@ AccountingStorageType=accounting_storage/none
 MailProg=/bin/true
 ReturnToService=2
 SlurmdParameters=config_overrides
-SlurmdTimeout=10
+SlurmdTimeout=30
+SchedulerParameters=sched_min_interval=100000,batch_sched_delay=0
 KillWait=10
 NodeName={host} NodeAddr=127.0.0.1 CPUs=2 RealMemory=1000 State=UNKNOWN
 PartitionName=test Nodes={host} Default=YES MaxTime=60 State=UP
@@ -109,17 +111,21 @@ class Cluster:
         for name in ("state", "spool"):
             (self.root / name).mkdir()
         (self.root / "slurm.conf").write_text(CONFIGURATION.format(
-            host=socket.gethostname().split(".")[0], root=self.root, munge=self.munge, controller_port=free_port(), node_port=free_port()))
+            host=HOST, root=self.root, munge=self.munge, controller_port=free_port(), node_port=free_port()))
         self.command("slurmctld", "-f", self.root / "slurm.conf")
         self.start_node()
+
+    def wait_for_node(self, *states):
+        """Waits until the controller sees the node in one of the states; a trailing * is a node that does not answer."""
+        begin = time.monotonic()
+        while self.command("sinfo", "--noheader", "--format=%t", check=False).stdout.strip().rstrip("*") not in states:
+            assert time.monotonic() - begin < SECONDS, f"the node is not {states}:\n" + self.logs()
+            time.sleep(0.2)
 
     def start_node(self):
         """Starts the compute daemon and waits until the node takes jobs."""
         self.command("slurmd", "-f", self.root / "slurm.conf")
-        begin = time.monotonic()
-        while self.command("sinfo", "--noheader", "--format=%t", check=False).stdout.strip() not in ("idle", "mix", "alloc"):
-            assert time.monotonic() - begin < SECONDS, "the node does not come up:\n" + self.logs()
-            time.sleep(0.2)
+        self.wait_for_node("idle", "mix", "alloc")
 
     def pid(self, name):
         path = (self.munge if name == "munged" else self.root) / f"{name}.pid"
@@ -134,12 +140,18 @@ class Cluster:
         while not ended(pid) and time.monotonic() - begin < SECONDS:
             time.sleep(0.05)
 
-    def kill_node(self, tasks):
-        """The node dies: its compute daemon, and the shells and programs of the tasks with these process numbers."""
+    def kill_daemon(self):
+        """The compute daemon dies; tasks live on under their step daemons."""
         self.stop("slurmd", signal.SIGKILL)
+
+    def kill_node(self, tasks):
+        """The node dies: its compute daemon and the processes with these numbers. A health check tells the controller, which
+        would take half a minute to see it by itself."""
+        self.kill_daemon()
         for pid in tasks:
             if not ended(pid):
                 os.kill(pid, signal.SIGKILL)
+        self.command("scontrol", "update", f"NodeName={HOST}", "State=DOWN", "Reason=died")
 
     def logs(self):
         return "\n".join(p.read_text(errors="replace")[-3000:] for p in self.root.glob("*.log"))

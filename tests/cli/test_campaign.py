@@ -68,6 +68,9 @@ class Campaign(support.CommandLineTest):
     def json_of(self, name):
         return json.loads((SCRATCH / name / "campaign.json").read_text())
 
+    def logs(self, store):
+        return "".join(p.read_text() for p in (SCRATCH / store).glob("*/log.txt"))
+
     def assert_same_results(self, name, store):
         self.assert_same_bytes(SCRATCH / name, self.whole, ["table.csv"])
         for folder in sorted(p for p in (SCRATCH / "whole_store").iterdir() if p.is_dir()):
@@ -134,14 +137,15 @@ class Campaign(support.CommandLineTest):
         self.assertIn(",interrupted,", (SCRATCH / "sigterm/table.csv").read_text())
         self.succeed(*arguments(self.campaign, "sigterm", "sigterm_store", "--quiet"))
         self.assert_same_results("sigterm", "sigterm_store")
-        self.assertIn("resumed at step", "".join(p.read_text() for p in (SCRATCH / "sigterm_store").glob("*/log.txt")))
+        self.assertIn("resumed at step", self.logs("sigterm_store"))
 
     def test_kill_and_again(self):
         code, _ = self.interrupted("killed", signal.SIGKILL)
         self.assertEqual(code, -signal.SIGKILL)
-        # At once: its runs may still be at work on their last checkpoints, and are waited for.
+        # The system tells its runs to end. They may still be at work on their last checkpoints, and are waited for.
         self.succeed(*arguments(self.campaign, "killed", "killed_store", "--quiet"))
         self.assert_same_results("killed", "killed_store")
+        self.assertIn("interrupted; a checkpoint was written", self.logs("killed_store"))
 
     def test_two_campaigns_at_once_on_one_store(self):
         both = [start(*arguments(self.campaign, f"side_{i}", "side_store", "--quiet")) for i in (1, 2)]

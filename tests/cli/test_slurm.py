@@ -10,7 +10,7 @@ import support
 from support import SCRATCH, TINY
 
 SLURM = {"partition": "test", "memory_mb": 100, "time_limit_min": 10, "poll_interval_s": 0.3, "lost_after_s": 1}
-CAMPAIGN = {"name": "grid", "base": str(TINY), "set": {"/output/frames": 0, "/output/checkpoint_interval_s": 0.2},
+CAMPAIGN = {"name": "grid", "base": str(TINY), "set": {"/output/frames": 0, "/output/checkpoint_interval_s": 0.05},
             "vary": [{"pointer": "/contacts/cohesion_mpa", "values": [1.5, 2.5]}], "seeds": [1, 2], "slurm": SLURM}
 TABLES = ["curves.csv", "cracks.csv", "energy.csv", "events.csv"]
 ROWS = 200  # of each run's curves.csv
@@ -25,16 +25,23 @@ def rows_of(store):
     return {p.parent.name: p.read_text().count("\n") for p in store.glob("*/curves.csv")}
 
 
+def command_and_parent(pid):
+    """Of a process; nothing of one that has just ended."""
+    try:
+        folder = pathlib.Path("/proc") / str(pid)
+        return (folder / "cmdline").read_text().replace("\0", " "), int((folder / "stat").read_text().rsplit(")", 1)[1].split()[1])
+    except (FileNotFoundError, ProcessLookupError):
+        return "", 0
+
+
 def processes_of(store, but):
-    """The processes, of tasks and above them, whose command names the store, without this one."""
-    found = []
-    for folder in pathlib.Path("/proc").glob("[0-9]*"):
-        try:
-            named = str(store) in (folder / "cmdline").read_text().replace("\0", " ")
-        except (FileNotFoundError, ProcessLookupError):
+    """The tasks' runs and shells, whose command names the store, and the step daemons above them; not this process."""
+    found = set()
+    for pid in (int(p.name) for p in pathlib.Path("/proc").glob("[0-9]*")):
+        command, parent = command_and_parent(pid)
+        if str(store) not in command or pid == but:
             continue
-        if named and int(folder.name) != but:
-            found.append(int(folder.name))
+        found |= {pid} | ({parent} if command_and_parent(parent)[0].startswith("slurmstepd") else set())
     return found
 
 
@@ -68,8 +75,9 @@ class Slurm(support.CommandLineTest):
             self.assert_same_bytes(SCRATCH / f"{name}_store" / folder, SCRATCH / "local_store" / folder, TABLES)
 
     def half_way(self, name, campaign):
-        """Waits until a run is at work and well within its rows."""
-        while not any(20 < n < ROWS / 2 for n in rows_of(SCRATCH / f"{name}_store").values()):
+        """Waits until a run is at work, well within its rows, and has a checkpoint."""
+        store = SCRATCH / f"{name}_store"
+        while not any(20 < n < ROWS / 2 and list((store / run / "checkpoint").glob("*.bin")) for run, n in rows_of(store).items()):
             self.assertIsNone(campaign.poll(), "it ended too early")
             time.sleep(0.01)
 
@@ -88,7 +96,7 @@ class Slurm(support.CommandLineTest):
         """The tasks live on under their step daemons, and are found again."""
         campaign = self.start("daemon")
         self.half_way("daemon", campaign)
-        self.cluster.kill_node([])
+        self.cluster.kill_daemon()
         time.sleep(1)
         self.cluster.start_node()
         self.finish("daemon", campaign)
@@ -97,9 +105,9 @@ class Slurm(support.CommandLineTest):
         campaign = self.start("node")
         self.half_way("node", campaign)
         tasks = processes_of(SCRATCH / "node_store", campaign.pid)
-        self.assertGreater(len(tasks), 1)  # a task's shell and its run
+        self.assertGreater(len(tasks), 2)  # a task's run, its shell and the step daemon
         self.cluster.kill_node(tasks)
-        time.sleep(1)
+        self.cluster.wait_for_node("down")
         self.cluster.start_node()
         self.finish("node", campaign)
         self.assertIn("resumed at step", self.logs("node"))

@@ -81,7 +81,8 @@ TEST_CASE("a run made by other code is computed again") {
 TEST_CASE("a failed run keeps its reason, does not stop the rest, and is not repeated where it would fail again") {
   const FakeAsperity fake("failure");
   const std::vector<CampaignRun> runs = fake.runs(3);
-  fake.let(2, "echo 'warning: x'; echo \"error: step 7: $folder/curves.csv is not finite\" >&2; echo 'more' >&2; exit 4");
+  fake.let(2,
+           "echo 'warning: x'; echo \"error: step 7: $folder/curves.csv is not finite\" >&2; echo 'more' >&2; exit 4");
   const std::vector<CampaignOutcome> outcomes = run_campaign(runs, fake.options(1));
   CHECK(statuses(outcomes) == std::vector{kFinished, kFailed, kFinished});
   CHECK(outcomes[1].exit_code == 4);
@@ -163,8 +164,9 @@ TEST_CASE("no more than the jobs asked for run at once, and all of them do") {
   const FakeAsperity fake("jobs");
   const std::vector<CampaignRun> runs = fake.runs(5);
   for (std::uint64_t seed = 1; seed <= 5; ++seed)
-    fake.let(seed, ": > \"$here/at_work.$id\"; sleep 0.1; ls \"$here\" | grep -c at_work >> \"$here/counts\"; "
-                   "rm \"$here/at_work.$id\"");
+    fake.let(seed,
+             ": > \"$here/at_work.$id\"; sleep 0.1; ls \"$here\" | grep -c at_work >> \"$here/counts\"; "
+             "rm \"$here/at_work.$id\"");
   run_campaign(runs, fake.options(2));
   const std::string counts = read_file(fake.root() / "counts");
   CHECK(counts.find('2') != std::string::npos);
@@ -177,7 +179,8 @@ TEST_CASE("the runs that are expected to take longest start first") {
   for (std::size_t i = 0; i < 3; ++i) runs[i].expected_cost = i == 1 ? 5 : static_cast<double>(i + 1);
   for (std::uint64_t seed = 1; seed <= 3; ++seed) fake.let(seed, "echo $id >> \"$here/order\"");
   run_campaign(runs, fake.options(1));
-  CHECK(read_file(fake.root() / "order") == fake.files(2).id + "\n" + fake.files(3).id + "\n" + fake.files(1).id + "\n");
+  CHECK(read_file(fake.root() / "order") ==
+        fake.files(2).id + "\n" + fake.files(3).id + "\n" + fake.files(1).id + "\n");
 }
 
 TEST_CASE("a run that another process writes is waited for and taken") {

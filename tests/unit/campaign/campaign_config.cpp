@@ -82,7 +82,8 @@ TEST_CASE("one configuration alone is a campaign, and gives the run that `run` w
   const CampaignConfig c = read(R"({"base": "disc.json"})");
   REQUIRE(c.runs.size() == 1);
   CHECK(c.runs[0].label == "disc");
-  CHECK(config_hash(c.runs[0].config) == config_hash(parse_run_config(R"({"experiment": {"type": "brazilian"}})", "x")));
+  CHECK(config_hash(c.runs[0].config) ==
+        config_hash(parse_run_config(R"({"experiment": {"type": "brazilian"}})", "x")));
 }
 
 TEST_CASE("overrides change the campaign where it has the key, else every run, above all else") {
@@ -109,11 +110,13 @@ TEST_CASE("every bad campaign is one clear error") {
   CHECK_THAT(fault(R"({"vary": [], "runs": []})"), StartsWith("/vary: has no \"base\" to vary"));
   CHECK_THAT(fault(R"({"base": "disc.json", "vary": [{"pointer": "/particles/edge_mm", "values": []}]})"),
              StartsWith("/vary/0/values: has the wrong number of values"));
-  CHECK_THAT(fault(R"({"base": "disc.json", "vary": [{"pointer": "/a", "values": [1]}, {"pointer": "/a", "values": [1]}]})"),
-             StartsWith("/vary/1/pointer: is varied twice (found /a"));
+  CHECK_THAT(
+      fault(R"({"base": "disc.json", "vary": [{"pointer": "/a", "values": [1]}, {"pointer": "/a", "values": [1]}]})"),
+      StartsWith("/vary/1/pointer: is varied twice (found /a"));
   CHECK_THAT(fault(R"({"base": "disc.json", "seeds": [1], "vary": [{"pointer": "/particles/seed", "values": [1]}]})"),
              Contains("\"seeds\" varies /particles/seed"));
-  CHECK_THAT(fault(R"({"base": "disc.json", "set": {"particles": 1}})"), StartsWith("/set/particles: is no JSON pointer"));
+  CHECK_THAT(fault(R"({"base": "disc.json", "set": {"particles": 1}})"),
+             StartsWith("/set/particles: is no JSON pointer"));
   CHECK_THAT(fault(R"({"base": "disc.json", "seeds": {"first": 1}})"), StartsWith("/seeds/count: is missing"));
   CHECK_THAT(fault(R"({"base": "disc.json", "seeds": [1, 1]})"), StartsWith("/seeds: has a value twice"));
   CHECK_THAT(fault(R"({"base": "disc.json", "seeds": {"first": 1, "count": 100000},
@@ -121,7 +124,8 @@ TEST_CASE("every bad campaign is one clear error") {
              Contains("number of runs that is out of range (found 2e+05; allowed: 1 to 100000)"));
   CHECK_THAT(fault(R"({"runs": [{"label": "a", "config": "disc.json"}, {"label": "a", "config": "block.json"}]})"),
              Contains("gives a label twice (found a)"));
-  CHECK_THAT(fault(R"({"base": "disc.json", "slurm": {"memory_mb": -1}})"), StartsWith("/slurm/memory_mb: is out of range"));
+  CHECK_THAT(fault(R"({"base": "disc.json", "slurm": {"memory_mb": -1}})"),
+             StartsWith("/slurm/memory_mb: is out of range"));
   CHECK_THAT(fault(R"({"base": "disc.json", "seeds": [1]})", {"/particles/seed=3"}),
              StartsWith("--set /particles/seed: is varied by the campaign"));
   CHECK_THAT(fault(R"({"base": "disc.json", "seeds": [1]})", {"/seeds/0=3"}),

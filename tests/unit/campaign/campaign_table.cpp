@@ -36,7 +36,8 @@ struct Example {
     fs::create_directories(kFolder / "a");
     fs::create_directories(kFolder / "b");
     write_summary(kFolder / "a/summary.json", summary_of({{"tensile_strength_mpa", 1.5}}));
-    write_summary(kFolder / "b/summary.json", summary_of({{"youngs_modulus_gpa", 0.1 + 0.2}, {"poissons_ratio", nullptr}}));
+    write_summary(kFolder / "b/summary.json",
+                  summary_of({{"youngs_modulus_gpa", 0.1 + 0.2}, {"poissons_ratio", nullptr}}));
     config.name = "three";
     config.varied = {"/particles/edge_mm", "/contacts/law/reading"};
     config.runs = {run_of("one, two", 4, 1), run_of("two", 4.5, 2), run_of("three", 5, 18446744073709551615u)};

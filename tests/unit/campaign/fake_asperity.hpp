@@ -31,8 +31,7 @@ inline constexpr const char* kFinish = "finish";
 /// this test's own code, so that the engine takes its runs for runs of the same build.
 class FakeAsperity {
  public:
-  explicit FakeAsperity(const std::string& name)
-      : root_(fs::path(ASPERITY_TEST_SCRATCH) / "campaign" / name) {
+  explicit FakeAsperity(const std::string& name) : root_(fs::path(ASPERITY_TEST_SCRATCH) / "campaign" / name) {
     fs::remove_all(root_);
     for (const char* folder : {"do", "calls", "manifests"}) fs::create_directories(root_ / folder);
     write_program(root_ / "asperity", R"(here='FOLDER'
@@ -96,7 +95,8 @@ finish
  private:
   void write_manifests(std::uint64_t seed) const {
     const StoredRun run = files(seed);
-    for (const auto& [outcome, word] : {std::pair{Outcome::finished, "finished"}, {Outcome::interrupted, "interrupted"}}) {
+    for (const auto& [outcome, word] :
+         {std::pair{Outcome::finished, "finished"}, {Outcome::interrupted, "interrupted"}}) {
       Manifest manifest = started_manifest();
       manifest.config_hash = run.identity.config_hash;
       manifest.timings_s["compute_s"] = 2.0;

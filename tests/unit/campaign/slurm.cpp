@@ -103,7 +103,8 @@ TEST_CASE("Slurm: one array over all runs, with what the configuration asks for"
 TEST_CASE("Slurm: a lost task is put in again and resumes; a queue without an answer loses none") {
   const FakeSlurm slurm("slurm_lost");
   const std::vector<CampaignRun> runs = slurm.asperity.runs(2);
-  slurm.asperity.let(1, std::string("[ $verb = resume ] || { leave interrupted; : > \"$here/away\"; ") + kNodeDies + "; }");
+  slurm.asperity.let(
+      1, std::string("[ $verb = resume ] || { leave interrupted; : > \"$here/away\"; ") + kNodeDies + "; }");
   const std::vector<CampaignOutcome> outcomes = run_campaign(runs, slurm.options());
   CHECK(outcomes[0].status == RunStatus::finished);
   CHECK(outcomes[1].status == RunStatus::finished);
@@ -147,7 +148,8 @@ TEST_CASE("Slurm: interrupted, the tasks are told to end and leave checkpoints")
   const FakeSlurm slurm("slurm_interrupted");
   const std::vector<CampaignRun> runs = slurm.asperity.runs(2);
   for (std::uint64_t seed : {1, 2})
-    slurm.asperity.let(seed, "trap 'leave interrupted; exit 130' TERM; : > \"$here/up.$id\"; while :; do sleep 0.02; done");
+    slurm.asperity.let(seed,
+                       "trap 'leave interrupted; exit 130' TERM; : > \"$here/up.$id\"; while :; do sleep 0.02; done");
   CampaignOptions options = slurm.options();
   options.interrupted = [&] {
     const auto up = [&](std::uint64_t seed) {
@@ -187,7 +189,8 @@ TEST_CASE("Slurm: a refusal is one clear error with Slurm's words, and so is a m
       return std::string(error.what());
     }
   };
-  slurm.asperity.write_program(slurm.asperity.root() / "bin/sbatch", "echo 'sbatch: error: invalid partition' >&2; exit 1\n");
+  slurm.asperity.write_program(slurm.asperity.root() / "bin/sbatch",
+                               "echo 'sbatch: error: invalid partition' >&2; exit 1\n");
   CHECK_THAT(message(), Catch::StartsWith("/slurm: sbatch refuses the campaign: sbatch: error: invalid partition"));
   ::setenv("PATH", slurm.asperity.root().c_str(), 1);
   CHECK_THAT(message(), Catch::StartsWith("--executor: needs sbatch, which is not on the PATH (found slurm") &&

@@ -77,7 +77,7 @@ TEST_CASE("a duplicate key is a fault at its pointer") {
 
 TEST_CASE("a number beyond double is a fault, and the rest is still checked") {
   const Refusal r =
-      refusal(disc_with(R"("particles": {"edge_mm": -1e999, "density_kg_per_m3": 1e9999}, "output": {"frames": 1})"));
+      refusal(disc_with(R"("particles": {"edge_mm": -1e999, "density_kg_per_m3": 1e9999}, "output": {"frames": -1})"));
   CHECK(r.faults.size() == 3);
   CHECK(r.at("/particles/edge_mm").value == "-1e999");
   CHECK(r.at("/particles/edge_mm").what == "is too large for a number");
@@ -127,7 +127,7 @@ TEST_CASE("a wrong type names the right one") {
 TEST_CASE("a value out of range names value, range and unit") {
   const Refusal r = refusal(R"({"experiment": {"type": "brazilian", "diameter_mm": -5, "stop": {"fraction_of_peak": 1}},
     "particles": {"poissons_ratio": 0.5, "seed": -1}, "contacts": {"friction_angle_deg": 90, "cohesion_mpa": 0},
-    "integration": {"mass_scaling_time_step_s": -1e-9}, "output": {"frames": 1, "width_px": 100}})");
+    "integration": {"mass_scaling_time_step_s": -1e-9}, "output": {"frames": -1, "width_px": 100}})");
   CHECK(r.faults.size() == 9);
   const Fault diameter = r.at("/experiment/diameter_mm");
   CHECK(diameter.what == "is out of range");
@@ -140,7 +140,7 @@ TEST_CASE("a value out of range names value, range and unit") {
   CHECK(r.at("/contacts/friction_angle_deg").allowed == "from 0, below 90 deg");
   CHECK(r.at("/contacts/cohesion_mpa").allowed == "above 0, up to 10000 MPa");
   CHECK(r.at("/integration/mass_scaling_time_step_s").allowed == "0 to 1 s");
-  CHECK(r.at("/output/frames").allowed == "whole number, 2 to 100000");
+  CHECK(r.at("/output/frames").allowed == "whole number, 0 to 100000");
   CHECK(r.at("/output/width_px").allowed == "whole number, 320 to 8192 px");
 }
 
@@ -184,7 +184,7 @@ TEST_CASE("the experiment and its type are required") {
 TEST_CASE("faults of every kind come at once, each once") {
   const Refusal r = refusal(R"({"experiment": {"type": "brazilian", "width_mm": 54, "stop": {"time_s": 1, "time_s": 2}},
     "particles": {"edge_mm": 500, "density_kg_per_m3": "x"}, "contacts": {"cohesion": 5}})",
-                            {"/experiment/diametre_mm=54", "/output/frames=0"});
+                            {"/experiment/diametre_mm=54", "/output/frames=-1"});
   CHECK(r.kind == ErrorKind::config);
   CHECK(r.faults.size() == 7);
   for (const char* where :
