@@ -152,16 +152,19 @@ double jaw_height(const FrameJaws& jaws, double x) {
 }
 
 void draw_jaw(Drawing& drawing, const Frame& frame, const View& view, double unit, int side) {
-  constexpr int kPieces = 96;  // a corner of less than a degree between two of them
+  constexpr int kPieces = 96;  // of the arc: a corner of a degree at most between two of them
   const FrameJaws& jaws = frame.jaws;
-  const double half = std::max(jaws.half_width_mm, 0.5 * kPlatenOverRectangle * view.specimen_mm.x);
+  const double arc = jaws.half_width_mm, half = std::max(arc, 0.5 * kPlatenOverRectangle * view.specimen_mm.x);
   const double up = side == 0 ? 1 : -1, apex = frame.platen_y[at(side)];
   Band block{{}, {}, style::kPlaten};
-  for (int i = 0; i <= kPieces; ++i) {
-    const double x = jaws.centre_x_mm + half * (2.0 * i / kPieces - 1.0);
+  const auto add = [&](double aside) {
+    const double x = jaws.centre_x_mm + aside;
     block.lower.push_back(view.place({x, apex + up * jaw_height(jaws, x)}));
     block.upper.push_back(view.place({x, apex - up * view.platen_mm}));
-  }
+  };
+  add(-half);
+  for (int i = 0; i <= kPieces; ++i) add(arc * (2.0 * i / kPieces - 1.0));
+  add(half);
   drawing.shapes.push_back(block);
   Polyline edge{block.lower, {style::kPlatenEdge, 2 * unit, {}, Cap::butt}};
   edge.points.insert(edge.points.end(), {block.upper.back(), block.upper.front(), block.lower.front()});

@@ -51,7 +51,7 @@ void take(CaseResult& result, const std::string& property, const json& results, 
 void take_run(CaseResult& result, Peaks& peaks, const SuiteTest& test, const Summary& summary) {
   const json results = summary.results;
   const ExperimentConfig& e = test.config.experiment;
-  //FM if (!summary.failure_mode.empty()) result.failure_modes.emplace_back(test.config.name, summary.failure_mode);
+  if (!summary.failure_mode.empty()) result.failure_modes.emplace_back(test.config.name, summary.failure_mode);
   if (e.type == ExperimentType::brazilian) {
     take(result, "tensile_strength_mpa", results, "tensile_strength_mpa");
     const double tension = summary.cracks["tension"], shear = summary.cracks["shear"];

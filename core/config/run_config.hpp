@@ -117,12 +117,12 @@ struct GeneralContactConfig {
 };
 
 struct ContactConfig {
-  std::optional<double> tensile_stiffness_mpa_per_mm;  ///< k_t; unset: Eq 12 (plane stress) or 13 (plane strain).
-  std::optional<double> shear_stiffness_mpa_per_mm;    ///< k_s; unset: the same equations.
-  double tensile_strength_mpa = 6.89;                  ///< t_c
-  double cohesion_mpa = 5.02;                          ///< c_c
-  double friction_angle_deg = 36.5;                    ///< phi_c
-  std::optional<double> fracture_energy_n_per_mm;      ///< G_f; unset: K_IC^2 / E~ (Eq 34).
+  std::optional<double> tensile_stiffness_mpa_per_mm;    ///< k_t; unset: Eq 12 (plane stress) or 13 (plane strain).
+  std::optional<double> shear_stiffness_mpa_per_mm;      ///< k_s; unset: the same equations.
+  double tensile_strength_mpa = 6.89;                    ///< t_c
+  double cohesion_mpa = 5.02;                            ///< c_c
+  double friction_angle_deg = 36.5;                      ///< phi_c
+  std::optional<double> fracture_energy_n_per_mm;        ///< G_f; unset: K_IC^2 / E~ (Eq 34).
   std::optional<double> shear_fracture_energy_n_per_mm;  ///< G_II at no pressure; unset: Eq 6's drop, no softening.
   LawConfig law;
   GeneralContactConfig general;

@@ -2,7 +2,7 @@
 
 namespace asperity {
 
-DisjointSets bonded_pieces(const BondedContacts& contacts, const Particles& p) {
+DisjointSets bonded_pieces(const BondedContacts& contacts, const Particles& p, double time_s) {
   DisjointSets pieces(p.triangle_count());
   std::vector<int> first_of_grain(p.triangle_count(), -1);
   for (int t = 0; t < static_cast<int>(p.triangle_count()); ++t) {
@@ -11,7 +11,8 @@ DisjointSets bonded_pieces(const BondedContacts& contacts, const Particles& p) {
     pieces.join(first, t);
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (!contacts.is_broken(c)) pieces.join(contacts.edges[c].left_triangle(), contacts.edges[c].right_triangle());
+    const bool holds = !contacts.is_broken(c) || contacts.break_time(c) > time_s;
+    if (holds) pieces.join(contacts.edges[c].left_triangle(), contacts.edges[c].right_triangle());
   }
   return pieces;
 }

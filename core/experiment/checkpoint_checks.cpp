@@ -40,9 +40,8 @@ bool same_flag(const bool& a, const bool& b) { return std::memcmp(&a, &b, sizeof
 
 bool platens_hold(const Platens& read, const Platens& fresh, double height) {
   const double most = kFarthestPlaten * height;
-  return same_flag(read.present, fresh.present) && read.friction == fresh.friction &&
-         read.jaw == fresh.jaw && within(read.y[0], -most, most) &&
-         within(read.y[1], -most, most) &&
+  return same_flag(read.present, fresh.present) && read.friction == fresh.friction && read.jaw == fresh.jaw &&
+         within(read.y[0], -most, most) && within(read.y[1], -most, most) &&
          all_finite({read.velocity[0], read.velocity[1], read.last_velocity[0], read.last_velocity[1]});
 }
 

@@ -197,8 +197,7 @@ ElasticStart solve_elastic_start(Model& model, const ParallelLoops& loops, const
   const LoadingConfig& loading = model.config.experiment.loading;
   const double height = specimen_height(model.config.experiment);
   const double wanted = loading.elastic_start_fraction;
-  const FreeMotions free{system.platens.jaw.radius == 0.0,
-                         model.config.experiment.type == ExperimentType::brazilian};
+  const FreeMotions free{system.platens.jaw.radius == 0.0, model.config.experiment.type == ExperimentType::brazilian};
   ElasticStart result;
   bring_to_rest(system, loops);
   Equilibrium from = present(system);

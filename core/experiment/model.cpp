@@ -121,6 +121,8 @@ Model build_model(const RunConfig& config, const ParallelLoops& loops) {
   if (is_compression(config.experiment)) {
     system.flank = find_flanks(model.mesh, system.particles);
     model.gauges = make_gauges(system.particles, config.experiment, config.measurement, config.particles.edge_mm);
+  } else {
+    model.disc = make_disc_gauge(system.contacts, system.particles, config.experiment.diameter_mm);
   }
   prepare(system);
   choose_time_step(model, loops);

@@ -3,6 +3,7 @@
 #include "core/config/run_config.hpp"
 #include "core/geometry/mesh.hpp"
 #include "core/integrator/system.hpp"
+#include "core/measurement/disc_gauge.hpp"
 #include "core/measurement/gauges.hpp"
 
 namespace asperity {
@@ -12,7 +13,8 @@ struct Model {
   RunConfig config;
   Mesh mesh;
   System system;
-  Gauges gauges;
+  Gauges gauges;  ///< Of compression.
+  DiscGauge disc;
   double critical_time_step = 0;  ///< s, by power iteration (after mass scaling).
   double added_mass_fraction = 0;
 };

@@ -36,6 +36,7 @@ Sample measure(const Model& model, const RunState& state, const ParallelLoops& l
   s.stress_mpa = e.type == ExperimentType::brazilian ? splitting_stress(s.load_n_per_mm, e.diameter_mm)
                                                      : s.load_n_per_mm / e.width_mm;
   s.confining_pressure_mpa = system.flank.pressure;
+  s.disc = read_disc_gauge(model.disc, system);
   const CrackCounts cracks = count_cracks(system.contacts, loops);
   s.cracks_tension = cracks.tension;
   s.cracks_shear = cracks.shear;

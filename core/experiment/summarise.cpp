@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/experiment/failure_entries.hpp"
 #include "core/measurement/capture.hpp"
 #include "core/measurement/crack_network.hpp"
 #include "core/measurement/fragments.hpp"
@@ -58,12 +59,17 @@ Json compression_results(const Model& model, const RunState& state, const Peak& 
   return j;
 }
 
-Json brazilian_results(const RunState& state, const Peak& peak) {
+Json brazilian_results(const Model& model, const RunState& state, const Peak& peak) {
   const Sample& s = state.samples[peak.index];
+  const auto drop = first_drop(state.samples, model.config.measurement.peak_strain_limit);
   return {{"tensile_strength_mpa", peak.stress_mpa},
           {"peak_load_n_per_mm", s.load_n_per_mm},
           {"peak_closure_mm", s.closure_mm},
-          {"peak_passed", !peak.at_end}};
+          {"peak_passed", !peak.at_end},
+          {"first_drop_stress_mpa", drop ? Json(*drop) : Json()},
+          {"centre_tension_at_peak_mpa", s.disc.centre_tension_mpa},
+          {"centre_compression_at_peak_mpa", s.disc.centre_compression_mpa},
+          {"contact_half_angle_at_peak_deg", s.disc.contact_half_angle_deg}};
 }
 
 Json energy_entries(const EnergyBalance& e) {
@@ -171,10 +177,11 @@ Summary summarise(const Model& model, const RunState& state) {
   const Peak peak = find_peak(state.samples, model.config.measurement.peak_strain_limit);
   Summary summary;
   summary.experiment = experiment_entries(model, state);
-  summary.results = compression(model) ? compression_results(model, state, peak) : brazilian_results(state, peak);
+  summary.results = compression(model) ? compression_results(model, state, peak) : brazilian_results(model, state, peak);
   summary.energy = energy_entries(state.samples.back().energy);
   summary.energy["kinetic_over_stored_before_peak"] = loading_kinetic_ratio(state, peak);
   summary.cracks = crack_entries(model, state.samples.back());
+  summary.failure_mode = failure_entries(model, state, peak);
   summary.contacts = contact_entries(model);
   summary.warnings = find_warnings(model, state, peak);
   return summary;

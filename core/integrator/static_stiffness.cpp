@@ -28,7 +28,7 @@ void add_element(Entries& entries, const std::array<int, N>& nodes, const Apply&
 }
 
 /// The spring of a node that a platen presses, about its present place: along the normal, and across it by the turning
-/// of the normal force.
+/// of the normal force; Eq. (I18).
 void add_platen_spring(Entries& entries, std::size_t node, const PlatenContact& contact) {
   const Vec2 n = contact.touch.normal, along = along_face(contact.touch, contact.side);
   const double across = contact.overlap * contact.touch.bend;

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
-#include "core/contact/pieces.hpp"
-
 namespace asperity {
 
-Fragments find_fragments(const BondedContacts& contacts, const Particles& p) {
-  const std::vector<int> root = bonded_pieces(contacts, p).names();
+Fragments find_fragments(const BondedContacts& contacts, const Particles& p, double time_s) {
+  const std::vector<int> root = bonded_pieces(contacts, p, time_s).names();
   std::vector<double> area(root.size(), 0.0);
   std::vector<int> roots;
   for (std::size_t t = 0; t < root.size(); ++t) {

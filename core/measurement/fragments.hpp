@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "core/contact/bonded_contacts.hpp"
+#include "core/contact/pieces.hpp"
 #include "core/particles/particles.hpp"
 
 namespace asperity {
@@ -12,6 +13,7 @@ struct Fragments {
   std::vector<double> area_mm2;  ///< Per fragment, falling.
 };
 
-Fragments find_fragments(const BondedContacts& contacts, const Particles& particles);
+/// Those of a time (s) not after the present.
+Fragments find_fragments(const BondedContacts& contacts, const Particles& particles, double time_s = kNow);
 
 }  // namespace asperity

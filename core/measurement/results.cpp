@@ -1,5 +1,6 @@
 #include "core/measurement/results.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -45,6 +46,18 @@ Peak find_peak(std::span<const Sample> samples, double strain_limit) {
   }
   peak.at_end = peak.index == last;
   return peak;
+}
+
+std::optional<double> first_drop(std::span<const Sample> samples, double strain_limit) {
+  constexpr double kDrop = 0.1;
+  double largest = 0.0;
+  for (const Sample& s : samples) {
+    if (s.axial_strain > strain_limit) break;
+    largest = std::max(largest, s.stress_mpa);
+    const bool cracked = s.cracks_tension + s.cracks_shear > 0;
+    if (cracked && s.stress_mpa < (1.0 - kDrop) * largest) return largest;
+  }
+  return std::nullopt;
 }
 
 std::optional<ElasticResult> fit_moduli(std::span<const Sample> samples, const Peak& peak, const RunConfig& config) {

@@ -13,6 +13,7 @@ struct Summary {
   nlohmann::ordered_json results = nlohmann::ordered_json::object();
   nlohmann::ordered_json energy = nlohmann::ordered_json::object();
   nlohmann::ordered_json cracks = nlohmann::ordered_json::object();
+  nlohmann::ordered_json failure_mode = nlohmann::ordered_json::object();  ///< Empty in files of before it was told.
   nlohmann::ordered_json contacts = nlohmann::ordered_json::object();
   nlohmann::ordered_json cost = nlohmann::ordered_json::object();
   std::vector<std::string> warnings;
@@ -21,7 +22,7 @@ struct Summary {
 /// Replaces the file atomically, keys in the order of the struct. Throws Error(output).
 void write_summary(const std::filesystem::path& path, const Summary& summary);
 
-/// Throws Error(output) where the file is missing, no JSON, or lacks one of the keys.
+/// Throws Error(output) where the file is missing, no JSON, or lacks one of the keys; "failure_mode" may be missing.
 Summary read_summary(const std::filesystem::path& path);
 
 /// The same for a text that is already there; `name` stands for the file in errors.

@@ -51,6 +51,17 @@ TEST_CASE("Every field of disc and rectangle is drawn at the default size with m
     }
 }
 
+TEST_CASE("Jaws are drawn as blocks with an arc, beside the disc and behind it") {
+  Frame frame = test::synthetic_disc();
+  const int flat = picture_of(frame, options_for(Field::cracks)).count(style::kPlaten);
+  frame.jaws = {40.5, 0, 27};
+  const int curved = picture_of(frame, options_for(Field::cracks)).count(style::kPlaten);
+  // At some 15 px/mm: two blocks of 59 x 1.4 mm below the apexes, and beside the disc 54 x 10.3 mm less what its cap
+  // and the gap take.
+  CHECK(curved > 3 * flat);
+  CHECK(curved < 400'000);
+}
+
 TEST_CASE("Cracks appear in their mode's colour beyond the legend's swatch, and only then") {
   const PictureOptions options = options_for(Field::cracks);
   const Frame frame = test::synthetic_disc();

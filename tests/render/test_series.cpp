@@ -84,6 +84,17 @@ TEST_CASE("A frame comes back from its VTU files bit for bit") {
   check_same_contacts(read.contacts, written.contacts);
 }
 
+TEST_CASE("Jaws come back from the files, and flat platens leave no trace of them") {
+  Frame frame = test::synthetic_disc();
+  const fs::path flat = test::scratch("render_flat"), curved = test::scratch("render_jaws");
+  SeriesWriter(flat).write(frame);
+  CHECK(read_frame(flat, 0).jaws == FrameJaws{});
+  CHECK(read_file(flat / "fields" / "fields_000000.vtu").find("jaws") == std::string::npos);
+  frame.jaws = {40.5, 0.25, 27};
+  SeriesWriter(curved).write(frame);
+  CHECK(read_frame(curved, 0).jaws == frame.jaws);
+}
+
 // render_independent_reader opens what this test leaves.
 TEST_CASE("A series lists every frame, with and without cracks, contacts or curve") {
   const fs::path run = test::scratch("render_series");

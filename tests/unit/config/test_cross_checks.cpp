@@ -74,6 +74,23 @@ TEST_CASE("an elastic start has frictionless platens") {
         "/experiment/loading/elastic_start_fraction");
 }
 
+TEST_CASE("only a disc has jaws, only jaws have a radius, and it is above the disc's") {
+  const std::string curved = "/experiment/platens/shape=curved", radius = "/experiment/platens/jaw_radius_mm=";
+  CHECK_FALSE(refusal(kDisc, {curved}).kind);
+  CHECK_FALSE(refusal(kDisc, {curved, radius + "27.1"}).kind);
+  CHECK(only_fault(kUniaxial, curved).allowed == "only for a Brazilian disc");
+  CHECK(only_fault(kUniaxial, "/experiment/platens/shape=flat").where == "/experiment/platens/shape");
+  const Fault flat = only_fault(kDisc, radius + "40");
+  CHECK(flat.what == "has no meaning when /experiment/platens/shape is \"flat\"");
+  CHECK(contains(flat.hint, "curved"));
+  const Refusal narrow = refusal(kDisc, {curved, radius + "27"});
+  REQUIRE(narrow.faults.size() == 1);
+  CHECK(narrow.faults[0].where == "/experiment/platens/jaw_radius_mm");
+  CHECK(narrow.faults[0].value == "27");
+  CHECK(narrow.faults[0].allowed == "above the disc's radius, 27 mm");
+  CHECK(parse_run_config(kDisc, "x.json", {curved}).experiment.jaw_radius() == 40.5);
+}
+
 TEST_CASE("masses are scaled to a given step or to a uniform one, not both") {
   const Refusal r =
       refusal(kUniaxial, {"/integration/mass_scaling/uniform=true", "/integration/mass_scaling_time_step_s=5e-7"});

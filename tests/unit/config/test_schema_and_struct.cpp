@@ -132,6 +132,7 @@ TEST_CASE("every key is described; a number says its unit as its name does, and 
 TEST_CASE("the enumerations' words are the schema's") {
   CHECK(words_as_json<ExperimentType>() == node_at("/experiment/type").at("enum"));
   CHECK(words_as_json<PlaneCondition>() == node_at("/experiment/plane").at("enum"));
+  CHECK(words_as_json<PlatenShape>() == node_at("/experiment/platens/shape").at("enum"));
   CHECK(words_as_json<ParticleKind>() == node_at("/particles/kind").at("enum"));
   CHECK(words_as_json<LoadingMode>() == node_at("/experiment/loading/mode").at("enum"));
   CHECK(words_as_json<LawReading>() == node_at("/contacts/law/reading").at("enum"));

@@ -93,6 +93,7 @@ TEST_CASE("platens that are none are refused") {
                 [](System& s, RunState&) { std::memset(&s.platens.present, 7, 1); },  // no bool
                 [](System& s, RunState&) { s.platens.present = false; },
                 [](System& s, RunState&) { s.platens.friction = 0.5; },
+                [](System& s, RunState&) { s.platens.jaw.radius = 40.0; },
                 [](System& s, RunState&) { s.platens.y[1] = -kHuge; },  // pictures without end
                 [](System& s, RunState&) { s.platens.y[0] = kNan; },
                 [](System& s, RunState&) { s.platens.last_velocity[1] = kNan; },

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/experiment/failure_entries.hpp"
 #include "tests/unit/experiment/small_models.hpp"
 
 using namespace asperity;
@@ -20,6 +21,7 @@ std::vector<Sample> good_samples() {
     s.closure_mm = 0.054 * i;
     s.stress_mpa = i <= 5 ? 0.8 * i : 8.0 - 0.8 * i;
     s.load_n_per_mm = 100.0 * s.stress_mpa;
+    s.disc = i == 5 ? DiscReading{0.25, 0.75, 7.5} : DiscReading{9, 9, 9};
     s.energy.external_work = 1.0 + i;
     s.energy.elastic = 0.99 * (1.0 + i);
     s.energy.kinetic = 0.01 * (1.0 + i);
@@ -99,6 +101,10 @@ TEST_CASE("a disc's results are its splitting strength and the load and closure 
   CHECK(results["tensile_strength_mpa"] == 4.0);
   CHECK(results["peak_load_n_per_mm"] == 400.0);
   CHECK(results["peak_closure_mm"] == 0.27);
+  CHECK(results["first_drop_stress_mpa"] == 4.0);  // 0.8 MPa lower with the first crack
+  CHECK(results["centre_tension_at_peak_mpa"] == 0.25);
+  CHECK(results["centre_compression_at_peak_mpa"] == 0.75);
+  CHECK(results["contact_half_angle_at_peak_deg"] == 7.5);
 }
 
 TEST_CASE("a compression test's results are moduli, peak and pressure") {
@@ -132,6 +138,32 @@ TEST_CASE("cracks and fragments stand in the summary") {
   CHECK(cracks["shear"] == 0);
   CHECK(cracks["fragments"] == 1);
   CHECK(cracks["largest_fragment_share"] == 1.0);
+}
+
+TEST_CASE("the failure mode is told at half the peak and at the end, for discs and compression") {
+  Case c;
+  const auto disc = c.summary().failure_mode;
+  CHECK(disc["at_end"]["verdict"] == "none");
+  CHECK(disc["at_end"]["splits"] == false);
+  CHECK(disc["at_end"]["split_tension_share"].is_number_float());  // NaN, which the file has as null
+  CHECK(disc["at_end"]["largest_fragment_share"] == 1.0);
+  CHECK(disc["at_half_peak"]["axial_strain"] == 0.008);  // 1.6 MPa of 4
+  for (Sample& s : c.state.samples) s.stress_mpa = std::max(s.stress_mpa, 2.5);
+  CHECK(c.summary().failure_mode["at_half_peak"].is_null());
+  const auto compression = Case(ExperimentType::uniaxial).summary().failure_mode;
+  for (const char* key : {"verdict", "band_angle_deg", "band_concentration", "cluster_angle_deg", "cluster_spans_width",
+                          "order_parameter", "tension_share_of_length", "second_fragment_share"}) {
+    CHECK(compression["at_end"].contains(key));
+  }
+}
+
+TEST_CASE("half the peak counts from the confining pressure") {
+  std::vector<Sample> samples = good_samples();  // ... 4, 3.2, 2.4, 1.6, 0.8, 0
+  const Peak peak = find_peak(samples, 1.0);
+  CHECK(half_peak_sample(samples, peak, 0.0) == &samples[8]);
+  CHECK(half_peak_sample(samples, peak, 1.0) == &samples[7]);
+  samples.resize(7);
+  CHECK(half_peak_sample(samples, peak, 0.0) == nullptr);
 }
 
 TEST_CASE("every reason to stop has its words") {

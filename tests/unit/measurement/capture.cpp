@@ -31,6 +31,7 @@ struct Scene {
     system.time = 0.75;
     system.flank.pressure = 0.5;
     system.platens.y = {0.25, 1.75};
+    system.platens.jaw = {3.0, 0.5, 1.0, 0.2};
     for (int i = 0; i < 3; ++i) add_sample(0.001 * i, 2.0 * i);
   }
 
@@ -57,6 +58,7 @@ TEST_CASE("a frame names its instant and the curve up to it") {
   CHECK(f.stress_mpa == 4.0);
   CHECK(f.confining_pressure_mpa == 0.5);
   CHECK(f.platen_y == std::array<double, 2>{0.25, 1.75});
+  CHECK(f.jaws == FrameJaws{3.0, 0.5, 1.0});
   CHECK(f.curve.axial_strain == std::vector<double>{0, 0.001, 0.002});
   CHECK(f.curve.lateral_strain == std::vector<double>{0, 0.00025, 0.0005});
   CHECK(f.curve.stress_mpa == std::vector<double>{0, 2, 4});

@@ -157,6 +157,14 @@ TEST_CASE("one confining pressure makes no Mohr-Coulomb line") {
   CHECK_THROWS_AS(fit_mohr_coulomb({}, {}), Error);
 }
 
+TEST_CASE("the first drop is by a tenth, with a crack, and not the largest stress of all") {
+  std::vector<Sample> samples = points({1, 2, 1.7, 3, 2.8, 2.6, 5, 6});
+  CHECK_FALSE(first_drop(samples, 1.0).has_value());  // nothing has broken
+  for (std::size_t i = 3; i < samples.size(); ++i) samples[i].cracks_tension = 1;
+  CHECK(first_drop(samples, 1.0) == 3.0);  // at 2.6: 2.8 is within a tenth
+  CHECK_FALSE(first_drop(samples, 0.0045).has_value());
+}
+
 TEST_CASE("the splitting stress is 2P / (pi D t)") {
   CHECK(splitting_stress(135.71680263507907, 54.0) == Approx(1.6).epsilon(1e-14));  // 1.6 * 27 pi by hand
 }

@@ -19,10 +19,10 @@ TEST_CASE("a summary keeps the order of its keys and reads back") {
   write_summary(path, summary);
   CHECK_THAT(
       read_file(path),
-      Catch::Contains(
-          "{\n  \"experiment\": {\n    \"type\": \"brazilian\",\n    \"name\": \"quickstart\"\n  },\n"
-          "  \"results\": {\n    \"tensile_strength_mpa\": 1.61,\n    \"peak_axial_strain\": 0.01\n"
-          "  },\n  \"energy\": {},\n  \"cracks\": {},\n  \"contacts\": {},\n  \"cost\": {},\n  \"warnings\": ["));
+      Catch::Contains("{\n  \"experiment\": {\n    \"type\": \"brazilian\",\n    \"name\": \"quickstart\"\n  },\n"
+                      "  \"results\": {\n    \"tensile_strength_mpa\": 1.61,\n    \"peak_axial_strain\": 0.01\n"
+                      "  },\n  \"energy\": {},\n  \"cracks\": {},\n  \"failure_mode\": {},\n  \"contacts\": {},\n  "
+                      "\"cost\": {},\n  \"warnings\": ["));
   const Summary back = read_summary(path);
   CHECK(back.results == summary.results);
   CHECK(back.warnings == summary.warnings);
@@ -40,6 +40,16 @@ TEST_CASE("a summary whose section is no object is told by the section") {
   const std::string text =
       R"({"experiment": {}, "results": 1, "energy": {}, "cracks": {}, "contacts": {}, "cost": {}, "warnings": []})";
   CHECK_THROWS_WITH(parse_summary(text, "summary.json"), Catch::Contains("\"results\" is no object"));
+}
+
+TEST_CASE("a summary of before the failure mode was told is read, a failure mode that is no object is not") {
+  const std::string head = R"({"experiment": {}, "results": {}, "energy": {}, "cracks": {}, "contacts": {}, )";
+  const std::string tail = R"("cost": {}, "warnings": []})";
+  CHECK(parse_summary(head + tail, "summary.json").failure_mode == nlohmann::ordered_json::object());
+  const Summary told = parse_summary(head + R"("failure_mode": {"at_end": {"splits": true}}, )" + tail, "summary.json");
+  CHECK(told.failure_mode["at_end"]["splits"] == true);
+  CHECK_THROWS_WITH(parse_summary(head + R"("failure_mode": [], )" + tail, "summary.json"),
+                    Catch::Contains("\"failure_mode\" is no object"));
 }
 
 TEST_CASE("brackets nested without end are told, not followed") {
