@@ -171,10 +171,10 @@ ordered_json calibration_json(const SimulatedCalibration& c, const SimulatedResu
   j["rounds"] = rounds_json(result);
   j["solutions"] = solutions_json(last, strengths);
   j["compromise"] = solution_json(last.analysis.compromise, factors, strengths);
-  j["routes"] = {{"chosen", result.chosen_route},
-                 {"quadratic", route_json(factors, result.quadratic)},
+  j["routes"] = {{"quadratic", route_json(factors, result.quadratic)},
                  {"kriging", route_json(factors, result.kriging)}};
   j["routes"]["kriging"]["steps"] = steps_json(factors, result.refinement);
+  j["chosen_route"] = result.chosen_route;
   j["parameters"] = settings_json(result.verified.parameters);
   j["configs"] = configs;
   j["verification"] = verification_json(result.verified.verification);

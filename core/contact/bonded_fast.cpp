@@ -34,7 +34,7 @@ HWY_INLINE Real clamp(Real value, Real limit) { return Max(Neg(limit), Min(value
 struct Law {
   Real k_t, k_s, inverse_k_s, half_k_t, half_inverse_k_s;
   Real cohesion, slope;  ///< e c_c and e tan(phi_c): the normalised curve's factor is their sum over the pressure.
-  Real tan_phi, inverse_delta_ct, range, shear_range;
+  Real tan_phi, c_c, inverse_delta_ct, range, shear_range;
   explicit Law(const LawParameters& p)
       : k_t(set(p.k_t)),
         k_s(set(p.k_s)),
@@ -44,6 +44,7 @@ struct Law {
         cohesion(set(consistent_law::kE * p.c_c)),
         slope(set(consistent_law::kE * p.tan_phi)),
         tan_phi(set(p.tan_phi)),
+        c_c(set(p.c_c)),
         inverse_delta_ct(set(p.inverse_delta_ct)),
         range(set(p.kappa_ut - 1.0)),
         shear_range(set(p.kappa_us - 1.0)) {}
@@ -161,7 +162,8 @@ HWY_INLINE Outcome update_points(State& s, Real normal, Real shear, const Law& p
   out.softens = any(softens);
   if (out.softens) {
     const Real beyond = Sub(kappa, one), tension_share = hn::Div(kappa_n2, Mul(kappa, kappa));
-    const Real range = Add(Mul(p.range, tension_share), Mul(p.shear_range, Sub(one, tension_share)));
+    const Real shear_range = Mul(p.shear_range, hn::Div(p.c_c, Add(p.c_c, Mul(pressure, p.tan_phi))));
+    const Real range = Add(Mul(p.range, tension_share), Mul(shear_range, Sub(one, tension_share)));
     const Real present = IfThenElse(hn::Ge(beyond, range), one, hn::Div(beyond, range));
     s.damage = Max(s.damage, IfThenElseZero(softens, present));
   }

@@ -20,12 +20,12 @@ inline double secant_factor(double kappa, double damage) {
 /// the intact share, Eq. (D3): x exp(-x) up to its peak 1 / e at x = 1, then constant.
 inline double shear_secant_factor(double x) { return secant_factor(x, 0.0); }
 
-/// D at kappa; the ultimate separation goes from delta_ut / delta_ct in pure tension to delta_us / delta_cs in pure
-/// shear, which is 1 unless shear softens, Eq. (D4).
-inline double damage_at(double kappa, double kappa_n, const LawParameters& p) {
+/// D at kappa; the softening range goes from delta_ut / delta_ct - 1 in pure tension to that of shear, whose slip does not
+/// depend on the pressure: `friction` is p tan(phi_c), MPa. Shear has none unless it softens, Eq. (D4).
+inline double damage_at(double kappa, double kappa_n, double friction, const LawParameters& p) {
   if (kappa <= 1.0) return 0.0;
   const double tension_share = kappa_n * kappa_n / (kappa * kappa);
-  const double range = (p.kappa_ut - 1.0) * tension_share + (p.kappa_us - 1.0) * (1.0 - tension_share);
+  const double range = (p.kappa_ut - 1.0) * tension_share + (p.kappa_us - 1.0) * (p.c_c / (p.c_c + friction)) * (1.0 - tension_share);
   return kappa - 1.0 >= range ? 1.0 : (kappa - 1.0) / range;
 }
 
@@ -89,7 +89,7 @@ inline void damage_contact(PointState& s, double normal, double shear, double se
   const double kappa_n = opening * p.inverse_delta_ct;
   const double square = kappa_n * kappa_n + s.hardening * s.hardening;
   const double kappa = opening > 0.0 ? std::sqrt(square) : s.hardening;
-  s.damage = std::max(s.damage, damage_at(kappa, kappa_n, p));
+  s.damage = std::max(s.damage, damage_at(kappa, kappa_n, limit, p));
   const double factor = opening > 0.0 ? secant_factor(kappa, s.damage) : (1.0 - s.damage) * secant;
   const double g_n = std::min(s.integrity_n, factor);
   const double g_s = std::min(s.integrity_s, opening > 0.0 ? factor / secant : 1.0 - s.damage);
