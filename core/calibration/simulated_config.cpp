@@ -189,7 +189,8 @@ void read_trade_off(SimulatedCalibration& c, const json& document) {
   for (const json& entry : document.value("trade_off", json::array())) {
     TradeOffSet set{entry.at("name"), entry.at("why"), override_texts(entry.value("set", json::object())),
                     override_texts(entry.value("set_disc", json::object())), {}};
-    for (const auto& [pointer, value] : entry.value("parameters", json::object()).items())
+    const json parameters = entry.value("parameters", json::object());
+    for (const auto& [pointer, value] : parameters.items())
       set.parameters.emplace_back(pointer, value.get<double>());
     c.trade_off.push_back(std::move(set));
   }
