@@ -8,9 +8,9 @@
 namespace asperity::render {
 namespace {
 
-constexpr double kLineWidth = 1.6, kLabelSize = 22, kLabelPad = 5, kCasing = 2.5;  // pixels
-constexpr double kDarkBelow = 120;                                                 // luminance, 0 to 255
-constexpr std::size_t kPlacesALine = 24;                                           // tried for a line's label
+constexpr double kLineWidth = 1.6, kLabelSize = 22, kNameSize = 24, kLabelPad = 5, kCasing = 2.5;  // pixels
+constexpr double kDarkBelow = 120;        // luminance, 0 to 255
+constexpr std::size_t kPlacesALine = 24;  // tried for a line's label
 
 double luminance(Colour c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
@@ -100,26 +100,64 @@ std::vector<Vec2> refined(const std::vector<Vec2>& line) {
   return points;
 }
 
-/// Draws lines with a gap for their label where one finds room; the label is returned for drawing above everything.
-void draw_labelled(Drawing& drawing, const PlotArea& area, Lines lines, const Text& label, const Stroke& stroke,
-                   Occupied& occupied) {
-  for (auto& line : lines) line = refined(line);
-  std::optional<Text> text;
-  for (std::size_t i = 0; i < lines.size() && !text && !label.text.empty(); ++i)
-    text = label_on(area, lines[i], label,
-                    [&](const Box& box) { return occupied.free(box) && occupied.free_of_lines(box); });
-  if (text) {
-    const Box box = grown(text_box(*text), kLabelPad);
-    lines = without(lines, {box.left, box.top + 0.2 * text->size, box.right, box.bottom - 0.1 * text->size});
+bool holds_point_of(const Lines& lines, const Box& box) {
+  return std::any_of(lines.begin(), lines.end(), [&](const auto& line) {
+    return std::any_of(line.begin(), line.end(), [&](Vec2 p) { return near_box(p, box); });
+  });
+}
+
+/// A field's lines at all its levels, ready for labels.
+std::vector<Lines> level_lines(const PlotArea& area, const FieldLayer& field) {
+  std::vector<Lines> all;
+  for (const double level : field.levels) {
+    all.push_back(lines_at(area, field.grid, level));
+    for (auto& line : all.back()) line = refined(line);
+  }
+  return all;
+}
+
+/// Where a level's label meets no other line and no other text; nowhere, if there is no such place. The colour bar then
+/// tells the level.
+std::optional<Text> place_label(const PlotArea& area, const std::vector<Lines>& all, std::size_t level,
+                                const Text& label, const Occupied& occupied) {
+  const auto fits = [&](const Box& box) {
+    if (!occupied.free(box) || !occupied.free_of_lines_but(nullptr, box)) return false;
+    for (std::size_t other = 0; other < all.size(); ++other)
+      if (other != level && holds_point_of(all[other], box)) return false;
+    return true;
+  };
+  for (const auto& line : all[level])
+    if (const auto text = label_on(area, line, label, fits)) return text;
+  return std::nullopt;
+}
+
+/// Draws a level's lines with a gap for its label.
+void draw_level(Drawing& drawing, Lines lines, const std::optional<Text>& label, const Stroke& stroke,
+                Occupied& occupied) {
+  if (label) {
+    const Box box = grown(text_box(*label), kLabelPad);
+    lines = without(lines, {box.left, box.top + 0.2 * label->size, box.right, box.bottom - 0.1 * label->size});
     occupied.boxes.push_back(box);
   }
   for (const auto& line : lines) drawing.shapes.push_back(Polyline{line, stroke});
-  if (text) drawing.shapes.push_back(*text);
+  if (label) drawing.shapes.push_back(*label);
 }
 
-double step_of(const std::vector<double>& levels) { return levels.size() > 1 ? levels[1] - levels[0] : 1; }
+void fill_bands(Drawing& drawing, const PlotArea& area, const FieldLayer& field, const std::vector<Colour>& colours) {
+  for (const auto& polygon : area_above(field.grid, -INFINITY))
+    drawing.shapes.push_back(Polygon{placed(area, polygon), colours[0]});
+  for (std::size_t i = 0; i < field.levels.size(); ++i)
+    for (const auto& polygon : area_above(field.grid, field.levels[i]))
+      drawing.shapes.push_back(Polygon{placed(area, polygon), colours[i + 1]});
+}
 
 }  // namespace
+
+std::string level_name(const FieldLayer& field, std::size_t level) {
+  if (level < field.level_names.size()) return field.level_names[level];
+  const double step = field.levels.size() > 1 ? field.levels[1] - field.levels[0] : 0;
+  return tick_label(field.levels[level], step);
+}
 
 std::vector<Colour> band_colours(const FieldLayer& field) {
   std::vector<Colour> colours;
@@ -131,41 +169,38 @@ std::vector<Colour> band_colours(const FieldLayer& field) {
 
 void draw_field(Drawing& drawing, const PlotArea& area, const FieldLayer& field, Occupied& occupied) {
   const std::vector<Colour> colours = band_colours(field);
-  for (const auto& polygon : area_above(field.grid, -INFINITY))
-    drawing.shapes.push_back(Polygon{placed(area, polygon), colours[0]});
-  for (std::size_t i = 0; i < field.levels.size(); ++i)
-    for (const auto& polygon : area_above(field.grid, field.levels[i]))
-      drawing.shapes.push_back(Polygon{placed(area, polygon), colours[i + 1]});
-  for (std::size_t i = 0; i < field.levels.size(); ++i) {
+  fill_bands(drawing, area, field, colours);
+  const std::vector<Lines> all = level_lines(area, field);
+  for (std::size_t i = 0; i < all.size(); ++i) {
     const Colour ink = readable_on(colours[i]);
-    const Text label{{},
-                     tick_label(field.levels[i], step_of(field.levels)),
-                     kLabelSize,
-                     Anchor::centre,
-                     Weight::regular,
-                     Direction::across,
-                     ink};
-    draw_labelled(drawing, area, lines_at(area, field.grid, field.levels[i]), label, {ink, kLineWidth, {}, Cap::butt},
-                  occupied);
+    const Text label{{}, level_name(field, i), kLabelSize, Anchor::centre, Weight::regular, Direction::across, ink};
+    draw_level(drawing, all[i], place_label(area, all, i, label, occupied), {ink, kLineWidth, {}, Cap::butt}, occupied);
   }
 }
 
-void draw_contour(Drawing& drawing, const PlotArea& area, const ContourLayer& contour, Occupied& occupied) {
+void draw_contour(Drawing& drawing, const PlotArea& area, const ContourLayer& contour) {
+  const Stroke casing{style::kPaper, contour.stroke.width + 2 * kCasing, {}, Cap::butt};
   const Lines lines = lines_at(area, contour.grid, contour.level);
-  for (const auto& line : lines)
-    drawing.shapes.push_back(Polyline{line, {style::kPaper, contour.stroke.width + 2 * kCasing, {}, Cap::butt}});
-  const Text label{{}, contour.name, kLabelSize + 2, Anchor::centre, Weight::bold, Direction::across, style::kInk};
+  for (const auto& line : lines) drawing.shapes.push_back(Polyline{line, casing});
   for (const auto& line : lines) drawing.shapes.push_back(Polyline{line, contour.stroke});
-  for (const auto& line : lines) {
-    if (contour.name.empty()) return;
-    const auto text = label_on(area, refined(line), label, [&](const Box& box) { return occupied.free(box); });
-    if (!text) continue;
-    const Box box = grown(text_box(*text), kLabelPad);
-    add_box(drawing, box, style::kPaper);
-    drawing.shapes.push_back(*text);
-    occupied.boxes.push_back(box);
-    return;
+}
+
+void draw_contour_name(Drawing& drawing, const PlotArea& area, const ContourLayer& contour, Occupied& occupied) {
+  if (contour.name.empty()) return;
+  const Text label{{}, contour.name, kNameSize, Anchor::centre, Weight::bold, Direction::across, style::kInk};
+  const auto free = [&](const Box& box) { return occupied.free(box); };
+  const auto clear = [&](const Box& box) { return free(box) && occupied.free_of_lines_but(&contour, box); };
+  std::optional<Text> text;
+  for (auto& line : lines_at(area, contour.grid, contour.level)) {
+    line = refined(line);
+    if (!text) text = label_on(area, line, label, clear);
+    if (!text) text = label_on(area, line, label, free);
   }
+  if (!text) return;
+  const Box box = grown(text_box(*text), kLabelPad);
+  add_box(drawing, box, style::kPaper);
+  drawing.shapes.push_back(*text);
+  occupied.boxes.push_back(box);
 }
 
 std::vector<double> round_levels(const std::vector<double>& values, int parts) {

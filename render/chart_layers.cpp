@@ -115,7 +115,7 @@ struct LayerPainter {
   void operator()(const PointLayer& layer) const { draw_point_layer(drawing, area, layer); }
   void operator()(const BoxLayer& layer) const { draw_box_layer(drawing, area, layer); }
   void operator()(const FieldLayer& layer) const { draw_field(drawing, area, layer, occupied); }
-  void operator()(const ContourLayer& layer) const { draw_contour(drawing, area, layer, occupied); }
+  void operator()(const ContourLayer& layer) const { draw_contour(drawing, area, layer); }
 };
 
 }  // namespace

@@ -5,11 +5,17 @@
 namespace asperity::render {
 
 /// Where a chart's texts and markers are, so that other texts keep clear of them, and the emphasised lines, of which
-/// the numbers on thin lines keep clear; pixels.
+/// the texts on other lines keep clear; pixels.
 struct Occupied {
-  std::vector<Box> boxes, lines;
+  /// A piece of a layer's line.
+  struct Piece {
+    Box box;
+    const void* layer;
+  };
+  std::vector<Box> boxes;
+  std::vector<Piece> lines;
   bool free(const Box& box) const;
-  bool free_of_lines(const Box& box) const;
+  bool free_of_lines_but(const void* layer, const Box& box) const;
 };
 
 /// Notes where a layer's markers and emphasised lines will be.
@@ -27,8 +33,11 @@ std::vector<Colour> band_colours(const FieldLayer& field);
 /// Draws a field's bands and lines. README.md says why filled bands.
 void draw_field(Drawing& drawing, const PlotArea& area, const FieldLayer& field, Occupied& occupied);
 
-/// Draws an emphasised line of equal value with its name.
-void draw_contour(Drawing& drawing, const PlotArea& area, const ContourLayer& contour, Occupied& occupied);
+/// Draws an emphasised line of equal value.
+void draw_contour(Drawing& drawing, const PlotArea& area, const ContourLayer& contour);
+
+/// Draws such a line's name on it, off other lines where there is such a place.
+void draw_contour_name(Drawing& drawing, const PlotArea& area, const ContourLayer& contour, Occupied& occupied);
 
 /// From a point to the ends of its error bars, in pixels: along x, along y, where it has them.
 std::vector<Vec2> error_arms(const PlotArea& area, const PointLayer& layer, std::size_t i);

@@ -25,16 +25,31 @@ void reserve_points(const PlotArea& area, const PointLayer& layer, Occupied& occ
   }
 }
 
-void reserve_line(const PlotArea& area, const std::vector<Vec2>& points, double width, Occupied& occupied) {
-  for (const Vec2 p : points) occupied.lines.push_back(around(area.place(p.x, p.y), width, width));
+void reserve_line(const std::vector<Vec2>& points, double width, const void* layer, Occupied& occupied) {
+  for (const Vec2 p : points) occupied.lines.push_back({around(p, width, width), layer});
 }
 
 /// The four edges of a rectangle.
 void reserve_edges(const PlotArea& area, const BoxLayer& layer, Occupied& occupied) {
   const Vec2 a = area.place(layer.x.low, layer.y.high), b = area.place(layer.x.high, layer.y.low);
   const double w = layer.edge->width;
-  for (const double x : {a.x, b.x}) occupied.lines.push_back({x - w, a.y - w, x + w, b.y + w});
-  for (const double y : {a.y, b.y}) occupied.lines.push_back({a.x - w, y - w, b.x + w, y + w});
+  for (const double x : {a.x, b.x}) occupied.lines.push_back({{x - w, a.y - w, x + w, b.y + w}, &layer});
+  for (const double y : {a.y, b.y}) occupied.lines.push_back({{a.x - w, y - w, b.x + w, y + w}, &layer});
+}
+
+void reserve_cased(const PlotArea& area, const LineLayer& layer, Occupied& occupied) {
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i < std::min(layer.x.size(), layer.y.size()); ++i)
+    points.push_back(area.place(layer.x[i], layer.y[i]));
+  reserve_line(points, layer.stroke.width, &layer, occupied);
+}
+
+void reserve_contour(const PlotArea& area, const ContourLayer& layer, Occupied& occupied) {
+  for (const auto& line : contour_lines(layer.grid, layer.level)) {
+    std::vector<Vec2> points;
+    for (const Vec2 p : line) points.push_back(area.place(p.x, p.y));
+    reserve_line(points, layer.stroke.width, &layer, occupied);
+  }
 }
 
 /// The places for a name around a point: right, left, above, below, then the corners, then all of them farther off.
@@ -57,24 +72,26 @@ std::vector<Text> places(Vec2 at, double radius, const std::string& name) {
   return found;
 }
 
-bool meets_none(const Box& box, const std::vector<Box>& others) {
-  return std::none_of(others.begin(), others.end(), [&](const Box& other) {
-    return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom;
-  });
+bool meet(const Box& a, const Box& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
 }  // namespace
 
-bool Occupied::free(const Box& box) const { return meets_none(box, boxes); }
+bool Occupied::free(const Box& box) const {
+  return std::none_of(boxes.begin(), boxes.end(), [&](const Box& other) { return meet(box, other); });
+}
 
-bool Occupied::free_of_lines(const Box& box) const { return meets_none(box, lines); }
+bool Occupied::free_of_lines_but(const void* layer, const Box& box) const {
+  return std::none_of(lines.begin(), lines.end(),
+                      [&](const Piece& piece) { return piece.layer != layer && meet(box, piece.box); });
+}
 
 void reserve(const PlotArea& area, const Layer& layer, Occupied& occupied) {
   if (const auto* points = std::get_if<PointLayer>(&layer)) reserve_points(area, *points, occupied);
   if (const auto* box = std::get_if<BoxLayer>(&layer); box && box->edge) reserve_edges(area, *box, occupied);
-  if (const auto* contour = std::get_if<ContourLayer>(&layer))
-    for (const auto& line : contour_lines(contour->grid, contour->level))
-      reserve_line(area, line, contour->stroke.width, occupied);
+  if (const auto* line = std::get_if<LineLayer>(&layer); line && line->casing > 0) reserve_cased(area, *line, occupied);
+  if (const auto* contour = std::get_if<ContourLayer>(&layer)) reserve_contour(area, *contour, occupied);
 }
 
 void draw_names(Drawing& drawing, const PlotArea& area, const PointLayer& layer, Occupied& occupied) {

@@ -94,6 +94,7 @@ Cell cell_of(const ChartFigure& figure, std::size_t number, const AxesStyle& sty
   cell.around = axes_margins(cell.x, cell.y, {}, style);
   if (!chart.heading.empty() || figure.letters == Letters::each)
     cell.around.top = 1.25 * style.label_size + kHeadingGap;
+  if (!chart.x_categories.empty()) cell.around.right = 0;  // their texts stand within the axis
   const FieldLayer* field = field_of(chart);
   if (field && figure.colour_bars == ColourBars::each)
     cell.around.right = std::max(cell.around.right, colour_bar_room(*field, style));
@@ -155,6 +156,8 @@ void draw_chart(Drawing& drawing, const Chart& chart, const PlotArea& area, cons
   if (!field_of(chart)) draw_grid(drawing, area, style);
   for (const Layer& layer : chart.layers)
     if (!std::holds_alternative<PointLayer>(layer)) draw_layer(drawing, area, layer, occupied);
+  for (const Layer& layer : chart.layers)
+    if (const auto* contour = std::get_if<ContourLayer>(&layer)) draw_contour_name(drawing, area, *contour, occupied);
   draw_axes(drawing, area, style);
   for (const Layer& layer : chart.layers)
     if (std::holds_alternative<PointLayer>(layer)) draw_layer(drawing, area, layer, occupied);

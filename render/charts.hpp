@@ -52,7 +52,11 @@ struct FieldLayer {
   std::vector<double> levels;  ///< Ascending; see round_levels.
   std::string value_label;     ///< Beside the colour bar: quantity and unit.
   ColourMap map = ColourMap::cividis;
+  std::vector<std::string> level_names = {};  ///< Instead of numbers, one a level; empty: numbers.
 };
+
+/// What stands at a field's level.
+std::string level_name(const FieldLayer& field, std::size_t level);
 
 /// One emphasised line of equal value, with its name on it.
 struct ContourLayer {

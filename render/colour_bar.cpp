@@ -14,12 +14,9 @@ constexpr double kBefore = 20, kWidth = 28, kTick = 7, kGap = 8;  // pixels
 constexpr double kLineHeight = 1.3;                               // of a tick's text, parts of its size
 constexpr double kCapHeight = 0.73;                               // of DejaVu Sans, parts of the size
 
-double step_of(const std::vector<double>& levels) { return levels.size() > 1 ? levels[1] - levels[0] : 1; }
-
 double widest_level(const FieldLayer& field, double size) {
   double width = 0;
-  for (const double level : field.levels)
-    width = std::max(width, text_width(tick_label(level, step_of(field.levels)), size));
+  for (std::size_t i = 0; i < field.levels.size(); ++i) width = std::max(width, text_width(level_name(field, i), size));
   return width;
 }
 
@@ -55,7 +52,7 @@ void draw_colour_bar(Drawing& drawing, const Box& frame, const FieldLayer& field
     const double bottom = frame.bottom - static_cast<double>(i) * band;
     add_box(drawing, {left, bottom - band, right, bottom}, colours[i]);
     if (i == 0 || (i - 1) % every != 0) continue;
-    draw_level(drawing, right, bottom, tick_label(field.levels[i - 1], step_of(field.levels)), style);
+    draw_level(drawing, right, bottom, level_name(field, i - 1), style);
   }
   add_frame(drawing, {left, frame.top, right, frame.bottom}, {style::kInk, style.line_width, {}, Cap::butt});
   const double beyond = right + kTick + 2 * kGap + widest_level(field, style.tick_size) + 0.95 * style.label_size;

@@ -128,7 +128,7 @@ Chart residual_against_fitted(const FittedResponse& r) {
 }
 
 Chart residual_against_row(const FittedResponse& r) {
-  Chart chart = residual_chart(r, {r.rows.begin(), r.rows.end()}, "run");
+  Chart chart = residual_chart(r, {r.rows.begin(), r.rows.end()}, "run [–]");
   chart.heading = "In order of runs";
   return chart;
 }

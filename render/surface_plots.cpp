@@ -6,7 +6,7 @@ namespace asperity::render {
 namespace {
 
 constexpr double kTargetWidth = 5, kRegionWidth = 3.5, kPointRadius = 8, kSolutionRadius = 12;  // pixels
-constexpr double kLimitWidth = 3, kLimitCasing = 1.5;                                           // pixels
+constexpr double kLimitWidth = 2.4, kLimitCasing = 0.3;                                         // pixels
 
 /// Dash patterns of target lines where there are several.
 const std::vector<double>& target_dash(std::size_t number) { return style::kDashes[number % style::kDashes.size()]; }
@@ -55,7 +55,7 @@ void add_region(Chart& chart, const FactorBox& region) {
 }
 
 void add_limit(Chart& chart, const std::vector<Vec2>& limit) {
-  LineLayer line{"limit of the design", {}, {}, {style::kInk, kLimitWidth, {3, 7}, Cap::butt}, kLimitCasing};
+  LineLayer line{"limit of the design", {}, {}, {style::kInk, kLimitWidth, {6, 6}, Cap::butt}, kLimitCasing};
   for (const Vec2 p : limit) {
     line.x.push_back(p.x);
     line.y.push_back(p.y);
@@ -68,7 +68,7 @@ void add_limit(Chart& chart, const std::vector<Vec2>& limit) {
 Chart surface_chart(const SurfacePlot& plot) {
   Chart chart{plot.heading, plot.x_label, plot.y_label, {}, range_of(plot.grid.x), range_of(plot.grid.y), {}};
   const auto levels = plot.levels.empty() ? round_levels(plot.grid.values, 10) : plot.levels;
-  chart.layers.emplace_back(FieldLayer{plot.grid, levels, plot.value_label, plot.map});
+  chart.layers.emplace_back(FieldLayer{plot.grid, levels, plot.value_label, plot.map, plot.level_names});
   for (std::size_t i = 0; i < plot.targets.size(); ++i) {
     const TargetLine& target = plot.targets[i];
     const std::string label = plot.targets.size() == 1 ? "target" : "target of " + target.name;

@@ -28,7 +28,8 @@ struct TargetLine {
 struct SurfacePlot {
   std::string heading, x_label, y_label, value_label;
   ScalarGrid grid;
-  std::vector<double> levels;  ///< Empty: about ten round ones.
+  std::vector<double> levels;            ///< Empty: about ten round ones.
+  std::vector<std::string> level_names;  ///< As in FieldLayer.
   std::vector<TargetLine> targets;
   std::vector<DesignPoint> points;
   std::optional<Vec2> solution;

@@ -110,16 +110,32 @@ std::vector<double> CalibrationData::held() const {
   return solution.empty() ? std::vector<double>(factors.size(), 0.0) : solution;
 }
 
-double CalibrationData::overall_desirability(const std::vector<double>& levels) const {
-  double product = 1, weights = 0;
+double CalibrationData::desirability_product(const std::vector<double>& levels) const {
+  constexpr double kLeast = 0.02;  // of the other targets' desirabilities, outside: only the worst one's edge counts
+  double product = 1, others = 1, worst = 1;
   for (const ModelData& model : models) {
     const auto found = targets.find(model.property);
     if (found == targets.end()) continue;
     const TargetData& target = found->second;
-    product *= std::pow(app::desirability(model.surface.value(levels), target.value, desirability), target.weight);
-    weights += target.weight;
+    const double value = model.surface.value(levels);
+    const double left = 1 - std::abs(value / target.value - 1) / desirability.half_range;
+    product *= std::pow(app::desirability(value, target.value, desirability), target.weight);
+    others *= std::max(kLeast, std::max(left, worst));
+    worst = std::min(worst, left);
   }
-  return weights > 0 ? std::pow(product, 1 / weights) : NAN;
+  return worst < 0 ? worst * others : product;
+}
+
+double CalibrationData::total_weight() const {
+  double sum = 0;
+  for (const ModelData& model : models)
+    if (const auto found = targets.find(model.property); found != targets.end()) sum += found->second.weight;
+  return sum;
+}
+
+double CalibrationData::overall_desirability(const std::vector<double>& levels) const {
+  const double weights = total_weight();
+  return weights > 0 ? std::pow(std::max(0.0, desirability_product(levels)), 1 / weights) : NAN;
 }
 
 CalibrationData read_calibration_data(const Value& root) {

@@ -52,6 +52,11 @@ struct CalibrationData {
   std::vector<double> held() const;
   /// Weighted geometric mean of the targets' desirabilities by the models; NaN without targets.
   double overall_desirability(const std::vector<double>& coded) const;
+  /// Weighted product of the desirabilities, the overall one to the power of total_weight(); where any is 0, negative
+  /// by how far the worst target is beyond its half range. It goes through the edge without the overall one's jump,
+  /// which no grid resolves, so lines of equal desirability are drawn from it.
+  double desirability_product(const std::vector<double>& coded) const;
+  double total_weight() const;
 };
 
 CalibrationData read_calibration_data(const Value& root);

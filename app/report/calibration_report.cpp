@@ -11,8 +11,7 @@ constexpr const char* kDocument = "calibration.json";
 
 html::Markup subtitle(const Value& root) {
   const bool data = root["kind"].text() == "data";
-  return std::string(data ? "Calibration from given runs" : "Calibration by simulated runs") +
-         (root["name"].exists() ? ": " + root["name"].text() : "");
+  return data ? "Microparameters from given runs" : "Microparameters from simulated runs on a design of experiments";
 }
 
 std::vector<html::Section> sections(const ReportContext& context) {

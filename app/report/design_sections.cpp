@@ -25,8 +25,8 @@ Markup factor_table(const CalibrationData& data) {
       {}};
   for (const FactorData& f : data.factors)
     table.rows.push_back(
-        {{f.name, name_and_symbol(f.quantity), html::code(f.pointer), quantity_text(f.centre, f.quantity),
-          f.logarithmic ? "× " + html::number(f.step) : quantity_text(f.step, f.quantity),
+        {{f.name, name_and_symbol(f.quantity), html::code(f.pointer), with_unit(html::as_given(f.centre), f.quantity),
+          f.logarithmic ? "× " + html::as_given(f.step) : with_unit(html::as_given(f.step), f.quantity),
           f.logarithmic ? "logarithmic" : "linear"}});
   return html::table(table);
 }
@@ -58,11 +58,6 @@ Markup at(const std::vector<double>& values, std::size_t i, int digits) {
   return html::number(i < values.size() ? values[i] : NAN, digits);
 }
 
-Markup coded_level(double level) {
-  if (level == std::round(level)) return html::number(level, 1);
-  return html::number(level, 4);
-}
-
 /// The lists of the design and of the responses, each one entry a run.
 struct RunLists {
   std::vector<Value> real, kinds, seeds;
@@ -84,7 +79,7 @@ RunLists run_lists(const ReportContext& context) {
 html::Row run_row(const ReportContext& context, const RunLists& lists, std::size_t i) {
   const CalibrationData& data = context.data;
   html::Row row{{std::to_string(i + 1), i < lists.kinds.size() ? lists.kinds[i].text() : ""}};
-  for (const double level : data.coded[i]) row.cells.push_back(coded_level(level));
+  for (const double level : data.coded[i]) row.cells.push_back(html::as_given(level));
   const std::vector<double> real = i < lists.real.size() ? lists.real[i].numbers() : std::vector<double>();
   for (std::size_t k = 0; k < data.factors.size(); ++k)
     row.cells.push_back(html::number(k < real.size() ? real[k] : data.factors[k].real(data.coded[i][k]), 3));

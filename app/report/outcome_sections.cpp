@@ -17,11 +17,9 @@ using html::RowTone;
 double or_else(double value, double other) { return std::isfinite(value) ? value : other; }
 
 Markup mean_and_sd(const Value& verified, const Quantity& quantity) {
-  const double mean = verified["mean"].number(), sd = verified["sd"].number();
+  const double mean = verified["mean"].number();
   if (!std::isfinite(mean)) return "–";
-  Markup text = html::number(mean);
-  if (std::isfinite(sd)) text += " ± " + html::number(sd, 2);
-  return quantity.unit == "–" ? text : text + " " + quantity.unit;
+  return with_unit(html::with_scatter(mean, verified["sd"].number()), quantity);
 }
 
 /// Whether a verified mean is within its tolerance; nothing where it was not verified.
@@ -41,7 +39,7 @@ html::Row outcome_row(const std::string& property, const Value& target, const Va
   const double aim = or_else(target["value"].number(), verified["target"].number());
   const double foreseen = or_else(verified["predicted"].number(), predicted[property]["value"].number());
   const Verdict judged = verdict(verified);
-  return {{name_and_symbol(quantity), quantity_text(aim, quantity),
+  return {{name_and_symbol(quantity), with_unit(html::as_given(aim), quantity),
            std::isfinite(tolerance) ? fmt::format("± {:.3g} %", 100 * tolerance) : Markup("–"),
            quantity_text(foreseen, quantity), mean_and_sd(verified, quantity),
            verified["n"].exists() ? Markup(std::to_string(verified["n"].count())) : Markup("–"),

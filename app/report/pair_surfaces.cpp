@@ -64,6 +64,7 @@ render::SurfacePlot surface_of_pair(const CalibrationData& data, Pair pair, cons
   plot.heading = held.empty() ? "" : "held: " + held;
   plot.value_label = common.value_label;
   plot.map = common.map;
+  plot.level_names = common.level_names;
   for (render::TargetLine target : common.targets) {
     target.grid = plot.grid;
     plot.targets.push_back(target);

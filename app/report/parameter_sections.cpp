@@ -61,6 +61,11 @@ Markup parameters_in_force(const ReportContext& context) {
   return html::table(table);
 }
 
+std::string spelled(std::string word) {
+  std::replace(word.begin(), word.end(), '_', ' ');
+  return word;
+}
+
 const std::vector<const char*>& elastic_keys() {
   static const std::vector<const char*> keys{"particle_youngs_modulus_gpa", "particle_poissons_ratio",
                                              "stiffness_ratio", "youngs_modulus_gpa", "poissons_ratio"};
@@ -97,8 +102,8 @@ Markup alternatives_table(const Value& root) {
                     html::number(root["targets"]["poissons_ratio"]["value"].number()), ""},
                    RowTone::quiet};
   html::Row used =
-      elastic_row(html::strong("in use") + (elastic["rule"].exists() ? ": " + elastic["rule"].words() : ""), elastic,
-                  elastic["assembly"]);
+      elastic_row(html::strong("in use") + (elastic["rule"].exists() ? ": " + spelled(elastic["rule"].words()) : ""),
+                  elastic, elastic["assembly"]);
   used.cells.emplace_back("");
   table.rows = {target, used};
   for (const Value& other : elastic["alternatives"].items()) {

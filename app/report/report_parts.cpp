@@ -16,11 +16,13 @@ html::Markup plot_figure(const ReportContext& context, const PlotText& text, con
   return html::figure({{{html::linked_source(png), text.alternative_text}}, text.caption, {{svg, "SVG"}}});
 }
 
+html::Markup with_unit(const html::Markup& number, const Quantity& quantity) {
+  if (quantity.unit == "–" || quantity.unit.empty()) return number;
+  return number + (quantity.unit == "°" ? "°" : " " + quantity.unit);
+}
+
 html::Markup quantity_text(double value, const Quantity& quantity, int digits) {
-  if (!std::isfinite(value)) return "–";
-  const html::Markup digits_only = html::number(value, digits);
-  if (quantity.unit == "–" || quantity.unit.empty()) return digits_only;
-  return digits_only + (quantity.unit == "°" ? "°" : " " + quantity.unit);
+  return std::isfinite(value) ? with_unit(html::number(value, digits), quantity) : "–";
 }
 
 html::Markup percent(double share) {

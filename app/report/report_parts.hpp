@@ -29,6 +29,7 @@ struct PlotText {
 html::Markup plot_figure(const ReportContext& context, const PlotText& text, const render::ChartFigure& figure);
 
 /// A number with its unit: "1.30 GPa"; no unit where it is "–", no blank before a degree sign.
+html::Markup with_unit(const html::Markup& number, const Quantity& quantity);
 html::Markup quantity_text(double value, const Quantity& quantity, int digits = 4);
 
 /// A share as a percentage with its sign: "+1.8 %".

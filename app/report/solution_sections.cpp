@@ -44,8 +44,7 @@ html::Row route_row(const std::vector<std::string>& pointers, const std::string&
   html::Row row{{name}};
   for (const std::string& pointer : pointers) {
     const double sd = route["sd"][pointer].number();
-    const Markup value = html::number(route["parameters"][pointer].number());
-    row.cells.push_back(std::isfinite(sd) ? value + " ± " + html::number(sd, 2) : value);
+    row.cells.push_back(html::with_scatter(route["parameters"][pointer].number(), sd));
   }
   row.cells.push_back(route["runs"].words());
   row.cells.push_back(html::number(route["misfit"].number(), 3));
@@ -171,8 +170,8 @@ Markup trade_off_table(const std::vector<Value>& sets) {
     for (const auto& [property, first] : properties) {
       const Value v = sets[i]["verification"][property];
       const double mean = v["mean"].number(), target = v["target"].number();
-      row.cells.push_back(html::number(mean, 3) + " ± " + html::number(v["sd"].number(), 2) + " (" +
-                          percent(mean / target - 1) + ")" + (v["within"].truth() ? "*" : ""));
+      row.cells.push_back(html::lines({html::with_scatter(mean, v["sd"].number()),
+                                       percent(mean / target - 1) + (v["within"].truth() ? " *" : "")}));
     }
     table.rows.push_back(row);
   }

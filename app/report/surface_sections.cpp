@@ -122,10 +122,13 @@ html::Markup desirability_figure(const ReportContext& context) {
   const CalibrationData& data = context.data;
   render::SurfacePlot common;
   common.value_label = kOverall;
-  common.levels = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
   common.map = render::ColourMap::viridis;
+  for (int tenths = 1; tenths < 10; ++tenths) {
+    common.levels.push_back(std::pow(tenths / 10.0, data.total_weight()));
+    common.level_names.push_back(fmt::format("{:.1f}", tenths / 10.0));
+  }
   render::ChartFigure figure = pair_figure(
-      data, [&](const std::vector<double>& x) { return data.overall_desirability(x); }, common);
+      data, [&](const std::vector<double>& x) { return data.desirability_product(x); }, common);
   figure.title = "Desirability";
   const PlotText text{
       "desirability_map",

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::html {
@@ -127,12 +127,28 @@ Markup operator+(Markup a, const Markup& b) { return a += b; }
 Markup number(double value, int digits) {
   if (!std::isfinite(value)) return "–";
   if (value == 0) return "0";
-  // '#' keeps the zeros that are significant, and leaves a bare point behind whole numbers.
-  std::string text = fmt::format("{:#.{}g}", value, digits);
-  if (text.back() == '.') text.pop_back();
-  const std::size_t point = text.find(".e");
-  if (point != std::string::npos) text.erase(point, 1);
-  return Markup::from_html(typeset(text));
+  const std::string scientific = fmt::format("{:.{}e}", value, digits - 1);  // rounds before the exponent is read off
+  const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
+  constexpr int kSmallest = -4, kLargest = 6;  // beyond them a power of ten is easier to read than zeros
+  if (exponent < kSmallest || exponent >= kLargest) return Markup::from_html(typeset(scientific));
+  return fixed(value, std::max(0, digits - 1 - exponent));
+}
+
+Markup fixed(double value, int decimals) {
+  if (!std::isfinite(value)) return "–";
+  const std::string text = fmt::format("{:.{}f}", value, decimals);
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return Markup::from_html(typeset(zero && text.front() == '-' ? text.substr(1) : text));
+}
+
+Markup as_given(double value) {
+  return std::isfinite(value) ? Markup::from_html(typeset(fmt::format("{:.6g}", value))) : Markup("–");
+}
+
+Markup with_scatter(double mean, double sd) {
+  if (!std::isfinite(mean) || !std::isfinite(sd) || sd <= 0) return number(mean);
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(sd))), 0, 9);
+  return fixed(mean, decimals) + " ± " + fixed(sd, decimals);
 }
 
 Markup formula(std::string_view text) {
@@ -144,6 +160,12 @@ Markup with_indices(std::string_view text) { return Markup::from_html(set_formul
 Markup paragraph(const Markup& text) { return element("p", text); }
 Markup strong(const Markup& text) { return element("strong", text); }
 Markup code(const Markup& text) { return element("code", text); }
+
+Markup lines(const std::vector<Markup>& all) {
+  Markup text;
+  for (std::size_t i = 0; i < all.size(); ++i) text += (i ? Markup::from_html("<br>") : Markup()) + all[i];
+  return text;
+}
 
 Markup bullet_list(const std::vector<Markup>& items) {
   Markup inside;

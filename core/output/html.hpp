@@ -34,6 +34,15 @@ std::string escaped(std::string_view text);
 /// finite.
 Markup number(double value, int digits = 4);
 
+/// A number with so many decimals, its minus sign a true one; "–" if it is not finite.
+Markup fixed(double value, int decimals);
+
+/// A number somebody gave, without zeros it does not need: "1.6", "40".
+Markup as_given(double value);
+
+/// "1.327 ± 0.022": the standard deviation in two digits, the mean to the same decimal; the mean alone without one.
+Markup with_scatter(double mean, double sd);
+
 /// A formula in plain text: "_x" or "_{xy}" is lowered, "^x" or "^{xy}" raised, and single Latin letters are italic.
 /// "D = (d_1 d_2)^{1/2}".
 Markup formula(std::string_view text);
@@ -44,6 +53,9 @@ Markup with_indices(std::string_view text);
 Markup paragraph(const Markup& text);
 Markup strong(const Markup& text);
 Markup code(const Markup& text);
+/// One under another in the same cell or paragraph.
+Markup lines(const std::vector<Markup>& all);
+
 Markup bullet_list(const std::vector<Markup>& items);
 
 /// A link to a file beside the page, by its path relative to it.

@@ -105,6 +105,7 @@ thead th { border-top: 2px solid var(--ink); border-bottom: 1px solid var(--ink)
 tbody tr:last-child > * { border-bottom: 2px solid var(--ink); }
 tbody tr:nth-child(even) { background: var(--stripe); }
 tbody th { font-weight: 500; }
+td:not(.number) { min-width: 5rem; }
 .number { text-align: right; white-space: nowrap; }
 .unit { font-weight: 400; color: var(--soft); }
 tr.good > :first-child { box-shadow: inset .3rem 0 var(--good); }

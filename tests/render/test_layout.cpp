@@ -3,44 +3,15 @@
 
 #include "render/plots.hpp"
 #include "render/scene.hpp"
-#include "render/text_metrics.hpp"
+#include "tests/render/text_checks.hpp"
 #include "tests/support/synthetic_frame.hpp"
 
 using namespace asperity;
 using namespace asperity::render;
+using asperity::test::check_texts;
+using asperity::test::kSmallestText;
 
 namespace {
-
-constexpr double kSmallestText = 20;  // pixels at 1600 x 1200: 10 at half size can still be read
-
-std::vector<Text> texts_of(const Drawing& drawing) {
-  std::vector<Text> texts;
-  for (const Shape& shape : drawing.shapes)
-    if (const Text* text = std::get_if<Text>(&shape); text && !text->text.empty()) texts.push_back(*text);
-  return texts;
-}
-
-bool overlap(const Box& a, const Box& b) {
-  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-}
-
-void check_texts(const Drawing& drawing, double smallest) {
-  const std::vector<Text> texts = texts_of(drawing);
-  CHECK(texts.size() > 8);
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const Box box = text_box(texts[i]);
-    CAPTURE(texts[i].text);
-    CHECK(box.left >= 0);
-    CHECK(box.top >= 0);
-    CHECK(box.right <= drawing.width);
-    CHECK(box.bottom <= drawing.height);
-    CHECK(texts[i].size >= smallest);
-    for (std::size_t j = 0; j < i; ++j) {
-      CAPTURE(texts[j].text);
-      CHECK_FALSE(overlap(box, text_box(texts[j])));
-    }
-  }
-}
 
 Frame crumbled(Frame frame) {
   for (std::size_t i = 0; i < frame.fragment.size(); ++i) frame.fragment[i] = static_cast<int>(i / 20);
