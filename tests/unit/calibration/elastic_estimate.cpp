@@ -8,6 +8,7 @@
 #include "core/calibration/assembly_elasticity.hpp"
 #include "core/calibration/contact_stiffness.hpp"
 #include "core/calibration/elastic_compensation.hpp"
+#include "core/contact/consistent_law.hpp"
 #include "tests/unit/calibration/lattice.hpp"
 #include "tests/unit/calibration/plaster.hpp"
 
@@ -119,6 +120,40 @@ TEST_CASE("hardening is none at no stress or endless cohesion, and grows with th
   CHECK(shear_hardening({0.0, 0.02}, 1.0, 0.0) - 1.0 == Approx(first_order).epsilon(0.02));
   CHECK(shear_hardening({1.5, 3.75}, 1.7, 0.78) > shear_hardening({1.0, 2.5}, 1.7, 0.78));
   CHECK(shear_hardening({1.5, 3.75}, 1.7, 0.0) > shear_hardening({1.5, 3.75}, 1.7, 0.78));
+}
+
+TEST_CASE("hardening with friction is that of the law's own contact points over all directions") {
+  constexpr int kDirections = 40, kSteps = 2000;
+  LawParameters law;
+  law.k_t = law.k_s = 1e3;
+  law.c_c = 1.7;
+  law.tan_phi = 0.78;
+  law.kappa_ut = 10;
+  law.inverse_delta_ct = 1e-3;
+  const StressWindow window{1.5, 3.75};
+  double mean = 0.0;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 0.5 * std::numbers::pi * (i + 0.5) / kDirections;
+    const double s = std::sin(angle), c = std::cos(angle);
+    PointState point;
+    double low = 0.0;
+    for (int k = 1; k <= kSteps; ++k) {
+      const double stress = window.high * k / kSteps;
+      // The shear displacement that carries the stress's share, by the secant from the elastic guess.
+      double shear = point.shear + (stress * s * c - point.traction_s) / law.k_s;
+      PointState next;
+      for (int n = 0; n < 30; ++n) {
+        next = point;
+        consistent_law::update(next, -stress * c * c / law.k_t, shear, law);
+        shear += (stress * s * c - next.traction_s) / law.k_s;
+      }
+      point = next;
+      if (stress <= window.low) low = point.shear;
+    }
+    mean += law.k_s * (point.shear - low) * s * c / kDirections;
+  }
+  const double told = shear_hardening(window, law.c_c, law.tan_phi);
+  CHECK(told == Approx(8.0 * mean / (window.high - window.low)).epsilon(2e-3));  // steps of 0.05 % along the law
 }
 
 TEST_CASE("irregular specimens are within 2 % of the closed form in E, and in nu the nearer the finer they are") {
