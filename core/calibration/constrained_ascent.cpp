@@ -6,6 +6,8 @@
 #include <openturns/Function.hxx>
 #include <openturns/OptimizationProblem.hxx>
 
+#include "core/calibration/silence.hpp"
+
 namespace asperity {
 namespace {
 
@@ -64,6 +66,7 @@ std::vector<double> climb(const ResponseSystem& system, const SearchRegion& regi
   solver.setMaximumEvaluationNumber(kMostEvaluations);
   solver.setMaximumAbsoluteError(kLastStep);
   solver.setIgnoreFailure(true);  // out of evaluations is as good as done: the result is compared with the start
+  const Silence silence;
   solver.run();
   const OT::Point end = solver.getResult().getOptimalPoint();
   std::vector<double> x = drawn_in(region, std::vector<double>(end.begin(), end.end()));

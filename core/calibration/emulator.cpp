@@ -4,10 +4,11 @@
 #include <cmath>
 #include <openturns/KrigingAlgorithm.hxx>
 #include <openturns/LinearBasisFactory.hxx>
-#include <openturns/Log.hxx>
 #include <openturns/MaternModel.hxx>
+#include <openturns/ResourceMap.hxx>
 
 #include "core/base/error.hpp"
+#include "core/calibration/silence.hpp"
 
 namespace asperity {
 
@@ -19,21 +20,29 @@ struct Emulator::Fitted {
 namespace {
 
 constexpr double kDifference = 1e-4;  // coded: the Matern 5/2 mean is twice differentiable, so the error is near 1e-8
-constexpr double kShortest = 0.2;     // coded length scale: below the distance of any two distinct design points
-constexpr double kLongest = 20.0;     // coded length scale: a plane over the whole design
+constexpr double kShortest =
+    0.7;  // coded length scale: shorter, and neighbouring runs would tell nothing of each other
+constexpr double kLongest = 20.0;  // coded length scale: a plane over the whole design
 constexpr double kMatern = 2.5;
-constexpr double kLeastNoise = 1e-6;  // of the values' spread: keeps the covariance of repeated points regular
+constexpr double kLeastAmplitude = 0.01;  // of half the values' range: the trend is all there is
+constexpr double kMostAmplitude = 100.0;  // of half the values' range
+// Of half the values' range: far below any mesh scatter. With less, repeated runs make the likelihood so steep that the
+// search for it stays where it starts.
+constexpr double kLeastNoise = 1e-3;
 
-/// OpenTURNS reports on stderr what it does about its own defaults; our log says what matters.
-class Silence {
+/// Left to itself OpenTURNS 1.20 finds the amplitude in closed form, as if the noise grew with it: the stated variance
+/// would be taken as a share of the amplitude's square. While this lives the amplitude is one more parameter to search
+/// for, and the noise is what is stated.
+class SearchedAmplitude {
  public:
-  Silence() : flags_(OT::Log::Flags()) { OT::Log::Show(OT::Log::NONE); }
-  ~Silence() { OT::Log::Show(flags_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
+  SearchedAmplitude() : before_(OT::ResourceMap::GetAsBool(kKey)) { OT::ResourceMap::SetAsBool(kKey, false); }
+  ~SearchedAmplitude() { OT::ResourceMap::SetAsBool(kKey, before_); }
+  SearchedAmplitude(const SearchedAmplitude&) = delete;
+  SearchedAmplitude& operator=(const SearchedAmplitude&) = delete;
 
  private:
-  OT::Log::Severity flags_;
+  static constexpr const char* kKey = "GeneralLinearModelAlgorithm-UseAnalyticalAmplitudeEstimate";
+  bool before_;
 };
 
 OT::Point point_of(const std::vector<double>& values) {
@@ -58,10 +67,14 @@ std::pair<double, double> spread_of(const std::vector<double>& values) {
 /// Eq. (S31), the noise at its stated variance; Eq. (S32) fitted.
 OT::KrigingResult krige(const OT::Sample& inputs, const OT::Sample& outputs, double noise_variance) {
   const std::size_t k = inputs.getDimension();
+  const SearchedAmplitude searched;
+  OT::Point lowest(k, kShortest), highest(k, kLongest);
+  lowest.add(kLeastAmplitude);
+  highest.add(kMostAmplitude);
   OT::KrigingAlgorithm algorithm(inputs, outputs, OT::MaternModel(OT::Point(k, 1.0), OT::Point(1, 1.0), kMatern),
                                  OT::LinearBasisFactory(k).build());
   algorithm.setNoise(OT::Point(inputs.getSize(), noise_variance));
-  algorithm.setOptimizationBounds(OT::Interval(OT::Point(k, kShortest), OT::Point(k, kLongest)));
+  algorithm.setOptimizationBounds(OT::Interval(lowest, highest));
   algorithm.run();
   return algorithm.getResult();
 }

@@ -9,7 +9,8 @@ namespace asperity {
 /// Eqs. (S31) and (S32).
 class Emulator {
  public:
-  /// n points of k coded levels, n values, and the standard deviation of one run's mesh scatter (above 0). Throws
+  /// n points of k coded levels, n values, and the standard deviation of one run's mesh scatter (at least 1e-3 of
+  /// half the values' range is assumed). Throws
   /// Error(numerical) where the covariance cannot be fitted.
   Emulator(const std::vector<std::vector<double>>& x, const std::vector<double>& y, double noise_sd);
   ~Emulator();

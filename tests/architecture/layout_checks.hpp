@@ -13,7 +13,8 @@ using Violations = std::vector<std::string>;
 /// only app includes app.
 Violations check_include_order(const std::filesystem::path& root);
 
-/// VTK appears only in render/**.cpp, CGAL only in core/geometry/*.cpp, CLI11 only in app.
+/// VTK appears only in render/**.cpp, CGAL only in core/geometry/*.cpp, OpenTURNS only in core/calibration/*.cpp, CLI11
+/// only in app.
 Violations check_foreign_headers(const std::filesystem::path& root);
 
 /// Every core folder has a README.md.

@@ -40,8 +40,8 @@ Refinement started(const Point& truth, const RefinementOptions& options) {
 TEST_CASE("without scatter the emulator passes through its runs and knows it") {
   const Emulator emulator = emulator_of(0.0);
   for (const Point& x : examples::plain_design(2).coded) {
-    CHECK(emulator.mean(x) == Approx(hill(x)).margin(1e-4));
-    CHECK(std::sqrt(emulator.variance(x)) < 1e-3);
+    CHECK(emulator.mean(x) == Approx(hill(x)).margin(0.01));  // the least noise, 1e-3 of 2.2, and some
+    CHECK(std::sqrt(emulator.variance(x)) < 0.003);
   }
   for (const Point& x : {Point{0.5, -0.4}, Point{-0.7, 0.2}, Point{0.1, 0.9}}) {  // between the runs
     CHECK(emulator.mean(x) == Approx(hill(x)).margin(3.0 * std::sqrt(emulator.variance(x))));
@@ -53,8 +53,8 @@ TEST_CASE("without scatter the emulator passes through its runs and knows it") {
 TEST_CASE("with scatter it smooths repeated runs") {
   const Emulator emulator = emulator_of(0.3);
   const double at_centre = std::sqrt(emulator.variance({0.0, 0.0}));
-  CHECK(at_centre < 0.3 / std::sqrt(6.0) * 1.01);  // six runs there, and neighbours
-  CHECK(at_centre > 0.02);
+  CHECK(at_centre < 0.3 / std::sqrt(6.0) * 1.01);  // six runs there, and neighbours that tell a little more
+  CHECK(at_centre > 0.5 * 0.3 / std::sqrt(6.0));
   CHECK(emulator.mean({0.0, 0.0}) == Approx(hill({0.0, 0.0})).margin(3.0 * at_centre));
 }
 
@@ -62,8 +62,8 @@ TEST_CASE("its gradient is its mean's slope; of a plane it is the plane's") {
   const Design design = examples::plain_design(2);
   const auto plane = [](const Point& x) { return 4.0 + 3.0 * x[0] - 2.0 * x[1]; };
   const Emulator flat(design.coded, examples::response_of("y", design, plane).values, 1e-6);
-  CHECK(flat.gradient({0.3, 0.2})[0] == Approx(3.0).margin(1e-4));
-  CHECK(flat.gradient({0.3, 0.2})[1] == Approx(-2.0).margin(1e-4));
+  CHECK(flat.gradient({0.3, 0.2})[0] == Approx(3.0).margin(1e-3));
+  CHECK(flat.gradient({0.3, 0.2})[1] == Approx(-2.0).margin(1e-3));
   const Emulator emulator = emulator_of(0.0);
   const double rise = emulator.mean({0.31, 0.2}) - emulator.mean({0.29, 0.2});
   CHECK(emulator.gradient({0.3, 0.2})[0] == Approx(rise / 0.02).margin(1e-3));  // its third derivative times 1e-4
