@@ -150,3 +150,50 @@ TEST_CASE("Default law: broken in tension has only friction, with slope k_s belo
   drive(s, s.normal, -3.0 * limit / kLaw.k_s);
   CHECK(s.traction_s == Approx(-limit).epsilon(kRounding));
 }
+
+TEST_CASE("Default law: with a fracture energy in shear the cohesion goes linearly over one slip and friction stays") {
+  RunConfig config;
+  config.contacts.shear_fracture_energy_n_per_mm = 0.2;
+  const LawParameters law = law_parameters(config);
+  const double slip = (law.kappa_us - 1.0) * law.delta_cs;  // Eq. (D9): the same at every pressure
+  const double pressure = GENERATE(0.0, 2.0, 10.0);
+  const double normal = -pressure / law.k_t, critical = critical_at(pressure);
+  const auto traction_at = [&](double beyond) {
+    PointState s;
+    consistent_law::update(s, normal, 0.0, law);
+    constexpr int kSteps = 4000;
+    for (int i = 1; i <= kSteps; ++i) consistent_law::update(s, normal, (critical + beyond * slip) * i / kSteps, law);
+    return s;
+  };
+  for (const double part : {0.25, 0.5, 0.9}) {
+    const double expected = (1.0 - part) * law.c_c + pressure * law.tan_phi;
+    CHECK(traction_at(part).traction_s == Approx(expected).epsilon(1e-3));  // 4000 steps along the slip
+    CHECK(traction_at(part).broken == BreakMode::none);
+  }
+  CHECK(traction_at(1.01).broken == BreakMode::shear);
+  CHECK(traction_at(1.01).traction_s == Approx(pressure * law.tan_phi).epsilon(1e-6).margin(1e-9));
+}
+
+TEST_CASE("Default law: the energy that parts a contact in shear without pressure is G_II, Eq. (D9)") {
+  RunConfig config;
+  config.contacts.shear_fracture_energy_n_per_mm = 0.2;
+  const LawParameters law = law_parameters(config);
+  PointState s;
+  double work = 0.0;
+  constexpr int kSteps = 20000;
+  for (int i = 1; i <= kSteps; ++i) {
+    const double before = s.traction_s, from = s.shear;
+    consistent_law::update(s, 0.0, 1.01 * law.kappa_us * law.delta_cs * i / kSteps, law);
+    work += 0.5 * (before + s.traction_s) * (s.shear - from);
+  }
+  CHECK(s.broken == BreakMode::shear);
+  CHECK(work == Approx(0.2).epsilon(1e-5));  // trapezoids: (1 / 20000 of the slip)^2 and the last step
+  CHECK(s.fracture_energy == Approx(0.2).epsilon(1e-5));
+}
+
+TEST_CASE("Default law: a fracture energy in shear below what the contact takes to its peak is refused") {
+  RunConfig config;
+  config.contacts.shear_fracture_energy_n_per_mm = 1e-3;
+  CHECK_THROWS_WITH(law_parameters(config), Catch::Contains("/contacts/shear_fracture_energy_n_per_mm") &&
+                                                Catch::Contains("at least"));
+}
