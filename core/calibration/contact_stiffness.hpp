@@ -8,8 +8,8 @@ namespace asperity {
 
 /// Where the contacts' stiffness comes from.
 enum class StiffnessRule {
-  closed_form,  ///< Eqs. (C12), (C13) of the material, ratio of Eq. (C14).
-  multiple      ///< A multiple of the material's E over the edge length, Eq. (K28); ratio of Eq. (C14).
+  closed_form,  ///< Eqs 12, 13 of the material, ratio of Eq 14 corrected.
+  multiple      ///< A multiple of the material's E over the edge length, Eq. (K28); ratio of Eq 14 corrected.
 };
 
 /// "closed_form", "multiple".

@@ -14,7 +14,7 @@ struct ElasticAlternative {
   bool reached = false;
 };
 
-/// What the report shows beside the answer: Eqs. (C12), (C13) with the target's own E and nu for the particles, and
+/// What the report shows beside the answer: Eqs 12, 13 with the target's own E and nu for the particles, and
 /// with E_p and nu_p compensated but their ratio kept, both at the task's edge and at half of it; and the other
 /// stiffness rule compensated in full at the task's edge. Read on the task's first seed alone.
 std::vector<ElasticAlternative> elastic_alternatives(const ElasticTask& task);

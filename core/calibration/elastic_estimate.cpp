@@ -39,7 +39,7 @@ double normalised_displacement(double y) {
 }
 
 /// k_s delta_s (MPa) of a contact whose normal makes an angle with the axial stress, loaded from zero in proportion:
-/// Eq. (D2) with its peak rising by the share of the stress that presses the contact.
+/// D2 of core/contact with its peak rising by the share of the stress that presses the contact.
 double shear_displacement(double axial_stress, double angle, double c_c, double friction) {
   const double shear = std::sin(angle) * std::cos(angle);
   const double pressure = std::cos(angle) * std::cos(angle) * friction;
