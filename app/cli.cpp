@@ -178,10 +178,12 @@ void add_campaign(CLI::App& cli, Action& action) {
 void add_calibrate(CLI::App& cli, Action& action) {
   auto options = std::make_shared<CalibrateCommandOptions>();
   CLI::App* command = cli.add_subcommand(
-      "calibrate", "Finds microparameters for laboratory targets and verifies them on fresh meshes; goes on where it was ended");
+      "calibrate",
+      "Finds microparameters for laboratory targets and verifies them on fresh meshes; goes on where it was ended");
   command->add_option("config", options->config, "Calibration (JSON)")->required();
   add_overrides(*command, options->overrides);
-  command->add_option("--out", options->out, "Folder for calibration.json, report.html and configs; default outputs/<name>/");
+  command->add_option("--out", options->out,
+                      "Folder for calibration.json, report.html and configs; default outputs/<name>/");
   add_campaign_options(*command, options->session);
   command->footer(
       "Examples:\n  asperity calibrate configs/calibration/plaster.json\n"

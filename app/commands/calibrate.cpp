@@ -29,8 +29,8 @@ void make_folder(const fs::path& folder, const fs::path& config) {
 
 void print_verification(const SimulatedResult& result) {
   for (const Verification& v : result.verified.verification) {
-    std::cout << v.property << " " << v.mean << " +- " << v.sd << " (target " << v.target << ", "
-              << v.values.size() << " meshes, " << (v.within ? "within" : "outside") << " its tolerance)\n";
+    std::cout << v.property << " " << v.mean << " +- " << v.sd << " (target " << v.target << ", " << v.values.size()
+              << " meshes, " << (v.within ? "within" : "outside") << " its tolerance)\n";
   }
 }
 
@@ -83,7 +83,7 @@ int calibrate_command(const CalibrateCommandOptions& options) {
   install_interruption_handlers();
   if (options.session.quiet) set_log_echo(LogEcho::errors);
   return is_data_calibration(options.config, options.overrides) ? calibrate_on_data(options)
-                                                                 : calibrate_simulated(options);
+                                                                : calibrate_simulated(options);
 }
 
 }  // namespace asperity::app

@@ -7,6 +7,8 @@
 #include "app/pictures.hpp"
 #include "core/base/build_info.hpp"
 #include "core/base/error.hpp"
+#include "core/calibration/data_calibration.hpp"
+#include "core/calibration/simulated_config.hpp"
 #include "core/campaign/campaign_config.hpp"
 #include "core/config/read_config.hpp"
 #include "core/config/schema.hpp"
@@ -24,6 +26,17 @@ void validate_campaign(const std::filesystem::path& path, const std::vector<std:
   std::cout << path.string() << ": valid (" << config.runs.size() << " runs)\n";
 }
 
+void validate_calibration(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  if (is_data_calibration(path, overrides)) {
+    const DataCalibration calibration = read_data_calibration(path);
+    std::cout << path.string() << ": valid (" << calibration.design.coded.size() << " rows of data)\n";
+    return;
+  }
+  const SimulatedCalibration calibration = read_simulated_calibration(path, overrides);
+  std::cout << path.string() << ": valid (" << calibration.factors.size() << " factors, "
+            << calibration.suite.tests.size() << " tests)\n";
+}
+
 void validate_run(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   const Model model = build_model(read_run_config(path, overrides), ParallelLoops());
   std::cout << path.string() << ": valid (" << model.mesh.triangles.size() << " triangles, time step "
@@ -36,7 +49,14 @@ int validate_command(const std::vector<std::filesystem::path>& configs, const st
   int code = 0;
   for (const std::filesystem::path& path : configs) {
     try {
-      config_kind(path) == "campaign" ? validate_campaign(path, overrides) : validate_run(path, overrides);
+      const std::string kind = config_kind(path);
+      if (kind == "campaign") {
+        validate_campaign(path, overrides);
+      } else if (kind == "calibration") {
+        validate_calibration(path, overrides);
+      } else {
+        validate_run(path, overrides);
+      }
     } catch (const Error& error) {
       if (error.kind() == ErrorKind::usage) throw;
       code = exit_code(error.kind());

@@ -108,11 +108,12 @@ void check_factor(const Factor& factor, std::size_t i, std::vector<Fault>& fault
                       "the JSON pointer of a number in a run configuration, e.g. /contacts/cohesion_mpa",
                       key_hint(schema, parent, key)});
   } else if (node->value("type", "") != "number") {
-    faults.push_back({where, "is no number that could be varied", factor.pointer, "a number of a run configuration", ""});
+    faults.push_back(
+        {where, "is no number that could be varied", factor.pointer, "a number of a run configuration", ""});
   }
   if (factor.lower && factor.upper && *factor.lower >= *factor.upper) {
-    faults.push_back({"/factors/" + std::to_string(i) + "/lower", "does not lie below upper", number_text(*factor.lower),
-                      "below " + number_text(*factor.upper), "exchange lower and upper"});
+    faults.push_back({"/factors/" + std::to_string(i) + "/lower", "does not lie below upper",
+                      number_text(*factor.lower), "below " + number_text(*factor.upper), "exchange lower and upper"});
   }
 }
 
@@ -123,11 +124,11 @@ void check_contradiction(const std::vector<Target>& targets, double tolerance, s
   if (!c || !phi || !strength) return;
   const double implied = mohr_coulomb_strength(c->value, phi->value);
   if (std::abs(strength->value / implied - 1.0) <= tolerance) return;
-  faults.push_back({"/targets/uniaxial_strength_mpa/value", "contradicts cohesion and friction angle",
-                    number_text(strength->value),
-                    "within " + number_text(100.0 * tolerance) + " % of 2 C tan(45 deg + phi/2) = " + number_text(implied),
-                    "correct one of the three, or raise /contradiction_tolerance if the laboratory's line misses its "
-                    "uniaxial tests so far"});
+  faults.push_back(
+      {"/targets/uniaxial_strength_mpa/value", "contradicts cohesion and friction angle", number_text(strength->value),
+       "within " + number_text(100.0 * tolerance) + " % of 2 C tan(45 deg + phi/2) = " + number_text(implied),
+       "correct one of the three, or raise /contradiction_tolerance if the laboratory's line misses its "
+       "uniaxial tests so far"});
 }
 
 void check_targets(const std::vector<Target>& targets, std::vector<Fault>& faults) {
@@ -172,7 +173,8 @@ void read_elastic(SimulatedCalibration& c, const json& document) {
 }
 
 void read_plan(SimulatedCalibration& c, const json& document) {
-  const json design = document.value("design", json::object()), refinement = document.value("refinement", json::object()),
+  const json design = document.value("design", json::object()),
+             refinement = document.value("refinement", json::object()),
              verification = document.value("verification", json::object());
   c.star = design.value("alpha", "rotatable") == "spherical" ? StarDistance::spherical : StarDistance::rotatable;
   c.centre_points = design.value("centre_points", c.centre_points);
@@ -187,11 +189,13 @@ void read_plan(SimulatedCalibration& c, const json& document) {
 
 void read_trade_off(SimulatedCalibration& c, const json& document) {
   for (const json& entry : document.value("trade_off", json::array())) {
-    TradeOffSet set{entry.at("name"), entry.at("why"), override_texts(entry.value("set", json::object())),
-                    override_texts(entry.value("set_disc", json::object())), {}};
+    TradeOffSet set{entry.at("name"),
+                    entry.at("why"),
+                    override_texts(entry.value("set", json::object())),
+                    override_texts(entry.value("set_disc", json::object())),
+                    {}};
     const json parameters = entry.value("parameters", json::object());
-    for (const auto& [pointer, value] : parameters.items())
-      set.parameters.emplace_back(pointer, value.get<double>());
+    for (const auto& [pointer, value] : parameters.items()) set.parameters.emplace_back(pointer, value.get<double>());
     c.trade_off.push_back(std::move(set));
   }
 }

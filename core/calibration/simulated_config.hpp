@@ -14,9 +14,9 @@ namespace asperity {
 /// A further parameter set to be verified beside the chosen one: what is set differently, and why it is shown.
 struct TradeOffSet {
   std::string name, why;
-  std::vector<std::string> overrides;     ///< Laid over every test, below the microparameters.
+  std::vector<std::string> overrides;       ///< Laid over every test, below the microparameters.
   std::vector<std::string> disc_overrides;  ///< Laid over the Brazilian test only.
-  Settings parameters;                    ///< Over the chosen microparameters.
+  Settings parameters;                      ///< Over the chosen microparameters.
 };
 
 /// Meshes that nothing was fitted to.
@@ -45,8 +45,9 @@ struct SimulatedCalibration {
 /// Whether the file is a calibration on data that are already there ("data"), not a simulated one.
 bool is_data_calibration(const std::filesystem::path& path, const std::vector<std::string>& overrides);
 
-/// Reads the file with the overrides ("/json/pointer=value", of its own keys). Throws one Error(config) with every fault
-/// at its pointer: keys, ranges, missing targets, targets that exclude one another, a factor the model does not have.
+/// Reads the file with the overrides ("/json/pointer=value", of its own keys). Throws one Error(config) with every
+/// fault at its pointer: keys, ranges, missing targets, targets that exclude one another, a factor the model does not
+/// have.
 SimulatedCalibration read_simulated_calibration(const std::filesystem::path& path,
                                                 const std::vector<std::string>& overrides = {});
 

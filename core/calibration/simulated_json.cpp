@@ -57,7 +57,8 @@ ordered_json steps_json(const std::vector<Factor>& factors, const Refinement& re
   return steps;
 }
 
-/// One figure of the failure mode over the meshes: mean and standard deviation of numbers, counts of words and verdicts.
+/// One figure of the failure mode over the meshes: mean and standard deviation of numbers, counts of words and
+/// verdicts.
 struct Figure {
   std::vector<double> numbers;
   std::vector<std::pair<std::string, int>> words;
@@ -130,8 +131,7 @@ ordered_json rounds_json(const SimulatedResult& result) {
   for (const DesignRound& round : result.rounds) {
     const Analysis& a = round.analysis;
     const Solution& best = a.solutions.empty() ? a.compromise : a.solutions.front();
-    list.push_back(
-        round_json({round.design.factors, round.moved_by, best.point.desirability, a.solutions.size()}));
+    list.push_back(round_json({round.design.factors, round.moved_by, best.point.desirability, a.solutions.size()}));
   }
   return list;
 }

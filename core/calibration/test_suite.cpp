@@ -118,8 +118,7 @@ const SuiteTest& TestSuite::uniaxial() const {
 RunConfig configure(const SuiteTest& test, const ParameterSet& parameters, std::uint64_t seed) {
   std::vector<std::string> overrides = test.overrides;
   lay_over(overrides, parameters.common);
-  lay_over(overrides,
-           test.config.experiment.plane == PlaneCondition::stress ? parameters.stress : parameters.strain);
+  lay_over(overrides, test.config.experiment.plane == PlaneCondition::stress ? parameters.stress : parameters.strain);
   overrides.push_back("/particles/seed=" + std::to_string(seed));
   return parse_run_config(test.text, test.path.string(), overrides);
 }

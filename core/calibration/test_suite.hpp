@@ -49,14 +49,15 @@ struct SuiteCase {
 /// What a case showed. A property that its runs do not give is missing.
 struct CaseResult {
   std::vector<std::pair<std::string, double>> properties;
-  std::vector<BadRun> bad_runs;  ///< `row` is the case's place in the list.
+  std::vector<BadRun> bad_runs;                                       ///< `row` is the case's place in the list.
   std::vector<std::pair<std::string, nlohmann::json>> failure_modes;  ///< By test: what summary.json says of it.
   std::vector<std::filesystem::path> folders;                         ///< Of the runs, in the order of the tests.
   double property(const std::string& name) const;                     ///< NaN where there is none.
 };
 
 /// Computes runs; the stage's name is for progress. Any outcome may be `interrupted`.
-using Simulator = std::function<std::vector<CampaignOutcome>(const std::string& stage, const std::vector<CampaignRun>&)>;
+using Simulator =
+    std::function<std::vector<CampaignOutcome>(const std::string& stage, const std::vector<CampaignRun>&)>;
 
 /// Thrown where runs were interrupted: called again, the calibration goes on from what the store has.
 struct CalibrationInterrupted {};

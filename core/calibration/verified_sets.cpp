@@ -9,8 +9,7 @@ namespace {
 std::optional<double> predicted(const SimulatedResult& result, const std::string& property) {
   const DesignRound& round = result.rounds.back();
   std::vector<double> x;
-  for (std::size_t j = 0; j < result.chosen.size(); ++j)
-    x.push_back(encode(round.design.factors[j], result.chosen[j]));
+  for (std::size_t j = 0; j < result.chosen.size(); ++j) x.push_back(encode(round.design.factors[j], result.chosen[j]));
   for (const ResponseModel& model : round.analysis.models) {
     if (model.name == property) return predict_value(model, x);
   }
@@ -47,7 +46,8 @@ TestSuite changed_suite(TestSuite suite, const TradeOffSet& set) {
 
 void replace(Settings& settings, const Settings& by) {
   for (const auto& [pointer, value] : by) {
-    const auto found = std::find_if(settings.begin(), settings.end(), [&p = pointer](const auto& s) { return s.first == p; });
+    const auto found =
+        std::find_if(settings.begin(), settings.end(), [&p = pointer](const auto& s) { return s.first == p; });
     if (found == settings.end()) {
       settings.emplace_back(pointer, value);
     } else {

@@ -20,12 +20,13 @@ inline double secant_factor(double kappa, double damage) {
 /// the intact share, Eq. (D3): x exp(-x) up to its peak 1 / e at x = 1, then constant.
 inline double shear_secant_factor(double x) { return secant_factor(x, 0.0); }
 
-/// D at kappa; the softening range goes from delta_ut / delta_ct - 1 in pure tension to that of shear, whose slip does not
-/// depend on the pressure: `friction` is p tan(phi_c), MPa. Shear has none unless it softens, Eq. (D4).
+/// D at kappa; the softening range goes from delta_ut / delta_ct - 1 in pure tension to that of shear, whose slip does
+/// not depend on the pressure: `friction` is p tan(phi_c), MPa. Shear has none unless it softens, Eq. (D4).
 inline double damage_at(double kappa, double kappa_n, double friction, const LawParameters& p) {
   if (kappa <= 1.0) return 0.0;
   const double tension_share = kappa_n * kappa_n / (kappa * kappa);
-  const double range = (p.kappa_ut - 1.0) * tension_share + (p.kappa_us - 1.0) * (p.c_c / (p.c_c + friction)) * (1.0 - tension_share);
+  const double range =
+      (p.kappa_ut - 1.0) * tension_share + (p.kappa_us - 1.0) * (p.c_c / (p.c_c + friction)) * (1.0 - tension_share);
   return kappa - 1.0 >= range ? 1.0 : (kappa - 1.0) / range;
 }
 

@@ -177,7 +177,8 @@ Summary summarise(const Model& model, const RunState& state) {
   const Peak peak = find_peak(state.samples, model.config.measurement.peak_strain_limit);
   Summary summary;
   summary.experiment = experiment_entries(model, state);
-  summary.results = compression(model) ? compression_results(model, state, peak) : brazilian_results(model, state, peak);
+  summary.results =
+      compression(model) ? compression_results(model, state, peak) : brazilian_results(model, state, peak);
   summary.energy = energy_entries(state.samples.back().energy);
   summary.energy["kinetic_over_stored_before_peak"] = loading_kinetic_ratio(state, peak);
   summary.cracks = crack_entries(model, state.samples.back());

@@ -25,7 +25,7 @@ std::vector<fs::path> json_files(const fs::path& folder) {
 
 std::vector<fs::path> shipped() {
   std::vector<fs::path> files = json_files(kConfigs);
-  for (const char* folder : {"paper", "acceleration"})
+  for (const char* folder : {"paper", "acceleration", "plaster"})
     for (const fs::path& file : json_files(kConfigs / folder)) files.push_back(file);
   return files;
 }

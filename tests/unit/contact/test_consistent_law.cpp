@@ -194,6 +194,6 @@ TEST_CASE("Default law: the energy that parts a contact in shear without pressur
 TEST_CASE("Default law: a fracture energy in shear below what the contact takes to its peak is refused") {
   RunConfig config;
   config.contacts.shear_fracture_energy_n_per_mm = 1e-3;
-  CHECK_THROWS_WITH(law_parameters(config), Catch::Contains("/contacts/shear_fracture_energy_n_per_mm") &&
-                                                Catch::Contains("at least"));
+  CHECK_THROWS_WITH(law_parameters(config),
+                    Catch::Contains("/contacts/shear_fracture_energy_n_per_mm") && Catch::Contains("at least"));
 }
