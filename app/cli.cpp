@@ -65,7 +65,7 @@ void add_validate(CLI::App& cli, Action& action) {
 void add_schema(CLI::App& cli, Action& action) {
   auto kind = std::make_shared<std::string>("run");
   CLI::App* command = cli.add_subcommand("schema", "Prints the JSON Schema of a kind of configuration");
-  command->add_option("kind", *kind, "run or campaign")->capture_default_str();
+  command->add_option("kind", *kind, "run, campaign or calibration")->capture_default_str();
   command->footer("Example:\n  asperity schema run > run.schema.json");
   command->callback([=, &action] { action = [=] { return schema_command(*kind); }; });
 }

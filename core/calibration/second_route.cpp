@@ -6,7 +6,7 @@
 namespace asperity {
 namespace {
 
-/// Targets as the second route takes them: a weight below 1 is a standard error, Eq. (P3).
+/// Targets as the second route takes them: a weight below 1 is a standard error, Eq. (V3).
 std::vector<Target> widened_targets(std::vector<Target> targets) {
   for (Target& t : targets) {
     const double more = t.value * t.tolerance * (1.0 / t.weight - 1.0);

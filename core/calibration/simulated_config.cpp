@@ -117,7 +117,7 @@ void check_factor(const Factor& factor, std::size_t i, std::vector<Fault>& fault
   }
 }
 
-/// Eq. (P1) against the uniaxial strength given.
+/// Eq. (V1) against the uniaxial strength given.
 void check_contradiction(const std::vector<Target>& targets, double tolerance, std::vector<Fault>& faults) {
   const Target *c = find_target(targets, kCohesion), *phi = find_target(targets, kFriction),
                *strength = find_target(targets, kStrength);
@@ -204,6 +204,11 @@ void read_trade_off(SimulatedCalibration& c, const json& document) {
 
 double mohr_coulomb_strength(double cohesion_mpa, double friction_angle_deg) {
   return 2.0 * cohesion_mpa * std::tan((45.0 + 0.5 * friction_angle_deg) * units::kRadPerDeg);
+}
+
+double mohr_coulomb_disc_strength(double uniaxial_strength_mpa, double friction_angle_deg) {
+  const double slope = std::pow(std::tan((45.0 + 0.5 * friction_angle_deg) * units::kRadPerDeg), 2);
+  return uniaxial_strength_mpa / (3.0 + slope);
 }
 
 const Target* find_target(const std::vector<Target>& targets, const std::string& property) {

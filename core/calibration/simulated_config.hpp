@@ -58,7 +58,10 @@ const Target* find_target(const std::vector<Target>& targets, const std::string&
 /// given; E and nu are the elastic compensation's.
 std::vector<Target> strength_targets(const std::vector<Target>& targets);
 
-/// Uniaxial strength (MPa) of a Mohr-Coulomb material, Eq. (P1).
+/// Uniaxial strength (MPa) of a Mohr-Coulomb material, Eq. (V1).
 double mohr_coulomb_strength(double cohesion_mpa, double friction_angle_deg);
+
+/// 2P/(pi D t) (MPa) at which the centre of a point-loaded elastic disc reaches the Mohr-Coulomb line, Eq. (V4).
+double mohr_coulomb_disc_strength(double uniaxial_strength_mpa, double friction_angle_deg);
 
 }  // namespace asperity

@@ -17,7 +17,7 @@ ElasticPart compensate(const SimulatedCalibration& calibration, const std::vecto
 /// The best of a design's solutions, or its compromise.
 const Solution& solution_of(const Analysis& analysis);
 
-/// Real runs at the first route's point and then at the second's; Eq. (P2) chooses between them.
+/// Real runs at the first route's point and then at the second's; Eq. (V2) chooses between them.
 void refine(const SimulatedCalibration& calibration, const Simulator& simulate, SimulatedResult& result);
 
 /// The chosen parameters on fresh meshes.

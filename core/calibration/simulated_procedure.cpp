@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/calibration/simulated_parts.hpp"
+#include "core/config/schema_lookup.hpp"
 
 namespace asperity {
 namespace {
@@ -88,9 +89,24 @@ void run_designs(const SimulatedCalibration& c, const Simulator& simulate, Simul
   }
 }
 
+/// Says where the disc's target lies beyond what a brittle Mohr-Coulomb material reaches, Eq. (V4).
+void note_disc_bound(const std::vector<Target>& targets, std::vector<std::string>& warnings) {
+  const Target *disc = find_target(targets, "tensile_strength_mpa"),
+               *strength = find_target(targets, "uniaxial_strength_mpa"),
+               *friction = find_target(targets, "friction_angle_deg");
+  if (!disc || !strength || !friction) return;
+  const double bound = mohr_coulomb_disc_strength(strength->value, friction->value);
+  if (disc->value <= bound) return;
+  warnings.push_back("the target tensile_strength_mpa = " + number_text(disc->value) +
+                     " lies above uniaxial strength / (3 + tan^2(45 deg + phi/2)) = " + number_text(bound) +
+                     ", at which the centre of an elastic disc reaches the targets' own Mohr-Coulomb line: only stable "
+                     "crack growth beyond that can carry it");
+}
+
 void note_warnings(const SimulatedCalibration& c, SimulatedResult& result) {
   const DesignRound& last = result.rounds.back();
   result.warnings = last.analysis.warnings;
+  note_disc_bound(c.targets, result.warnings);
   if (!result.elastic.found.reached)
     result.warnings.push_back("the elastic compensation does not reach E and nu within its tolerance: see elastic");
   if (last.analysis.solutions.empty()) {

@@ -28,7 +28,7 @@ struct DesignRound {
 struct Route {
   std::vector<double> real, sd;  ///< Factor by factor.
   std::size_t runs = 0;          ///< Tests simulated for it, the design's included.
-  double misfit = 0;             ///< Eq. (P2) of the real runs' means.
+  double misfit = 0;             ///< Eq. (V2) of the real runs' means.
 };
 
 /// A parameter set on fresh meshes.
@@ -65,7 +65,7 @@ nlohmann::ordered_json calibration_json(const SimulatedCalibration& calibration,
 std::vector<std::string> write_calibrated_configs(const SimulatedCalibration& calibration,
                                                   const SimulatedResult& result, const std::filesystem::path& folder);
 
-/// Root mean square of misses over tolerances, weighted, Eq. (P2); NaN counts as a miss of 10 tolerances.
+/// Root mean square of misses over tolerances, weighted, Eq. (V2); NaN counts as a miss of 10 tolerances.
 double misfit(const std::vector<double>& means, const std::vector<Target>& targets);
 
 }  // namespace asperity

@@ -31,7 +31,7 @@ struct TestSuite {
   const SuiteTest& uniaxial() const;
 };
 
-/// Microparameters for each plane condition: the contacts' stiffness of Eqs. (C12), (C13) differs between them.
+/// Microparameters for each plane condition: the closed forms of the contacts' stiffness differ between them.
 struct ParameterSet {
   Settings common, stress, strain;
 };

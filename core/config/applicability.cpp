@@ -9,6 +9,7 @@ namespace {
 constexpr std::string_view kType = "/experiment/type";
 constexpr std::string_view kMode = "/experiment/loading/mode";
 constexpr std::string_view kShape = "/experiment/platens/shape";
+constexpr std::string_view kReading = "/contacts/law/reading";
 constexpr std::string_view kKind = "/particles/kind";
 
 bool is_disc(const RunConfig& config) { return config.experiment.type == ExperimentType::brazilian; }
@@ -18,6 +19,7 @@ bool is_triaxial(const RunConfig& config) { return config.experiment.type == Exp
 bool is_staged(const RunConfig& config) { return config.experiment.loading.mode == LoadingMode::staged; }
 bool has_holds(const RunConfig& config) { return is_staged(config) || is_triaxial(config); }
 bool is_continuous(const RunConfig& config) { return !is_staged(config); }
+bool is_default_law(const RunConfig& config) { return config.contacts.law.reading == LawReading::consistent; }
 bool is_voronoi(const RunConfig& config) { return config.particles.kind == ParticleKind::voronoi; }
 
 }  // namespace
@@ -55,6 +57,8 @@ const std::vector<ConditionalKey>& conditional_keys() {
       {"/experiment/loading/rate_control/slowest_rate_factor", kMode, is_continuous, continuous, stage_hint},
       {"/experiment/loading/rate_control/fastest_rate_factor", kMode, is_continuous, continuous, stage_hint},
       {"/experiment/loading/elastic_start_fraction", kMode, is_continuous, continuous, stage_hint},
+      {"/contacts/shear_fracture_energy_n_per_mm", kReading, is_default_law, "only under the default law",
+       "remove it, or set /contacts/law/reading to \"default\": the literal law drops at its shear peak"},
       {"/particles/grain_size_mm", kKind, is_voronoi, "only for voronoi grains",
        "remove it, or set /particles/kind to \"voronoi\""},
       {"/measurement/axial_gauge_mm", kType, is_compression, compression, gauge_hint},

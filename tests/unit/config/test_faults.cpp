@@ -97,7 +97,7 @@ TEST_CASE("an unknown key names the nearest sibling, or the nearest key anywhere
   CHECK(r.at("/experiment/diametre_mm").value == "54");
   CHECK(r.at("/experiment/platens/colour").hint.empty());
   CHECK(r.at("/experiment/platens/colour").allowed ==
-        "an object with the keys friction_coefficient and stiffness_mpa_per_mm");
+        "an object with the keys friction_coefficient, jaw_radius_mm, shape and stiffness_mpa_per_mm");
   CHECK(r.at("/edge_mm").hint == "did you mean /particles/edge_mm?");
   CHECK(r.at("/contacts/seed").hint == "did you mean /particles/seed?");
   CHECK(r.at("/particles/edge").hint == "did you mean edge_mm?");

@@ -88,6 +88,7 @@ TEST_CASE("the hash changes with every key that a result may depend on") {
     INFO(binding.pointer);
     RunConfig changed = unusual();
     json value = binding.write(triangles);
+    if (value.is_null() && !applies(unusual(), binding.pointer)) continue;  // any value there would be refused
     if (value.is_null()) value = binding.pointer.find("law") == std::string::npos ? json(0.125) : json();
     if (value.is_null()) value = binding.pointer.ends_with("shear_peak") ? "cohesion" : "k_t";
     binding.read(changed, value);
