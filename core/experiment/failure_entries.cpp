@@ -39,9 +39,12 @@ void add_compression_entries(Json& j, const CompressionFailure& failure) {
   j["cluster_height_share"] = failure.cluster_height_share;
   j["cluster_spans_width"] = failure.spans_width();
   j["cluster_spans_height"] = failure.spans_height();
-  j["band_angle_deg"] = failure.band.angle_deg;
-  j["band_share_of_length"] = failure.band.share;
-  j["band_concentration"] = failure.band.concentration;
+  j["band_angle_deg"] = failure.bands.angle_deg[0];
+  j["band_share_of_length"] = failure.bands.share[0];
+  j["second_band_angle_deg"] = failure.bands.angle_deg[1];
+  j["second_band_share_of_length"] = failure.bands.share[1];
+  j["band_concentration"] = failure.bands.concentration;
+  j["band_significance"] = failure.bands.significance;
 }
 
 /// What had broken at a sample.

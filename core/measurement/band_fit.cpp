@@ -5,11 +5,13 @@
 #include <limits>
 
 #include "core/base/units.hpp"
+#include "core/geometry/specimen.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr int kPlaces = 20;  // per band's width
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr int kPlaces = 16;  // per band's width
 
 /// A band: the points whose distance along `across` from the origin is within half a width of `place`.
 struct Strip {
@@ -75,28 +77,57 @@ class Scores {
   std::vector<double> scores_;
 };
 
-}  // namespace
+/// The strip of largest score, Eq. (M22); of width 0 where there is none.
+struct BestStrip {
+  Strip strip;
+  double angle_deg = kNothing, score = 0;
+};
 
-FailureBand fit_band(const CrackPattern& pattern, double width, double height) {
-  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-  if (pattern.empty()) return {kNothing, kNothing, kNothing};
-  const double reach = width + height, band_width = kBandWidth * width;
-  double best = 0.0, best_angle = kNothing;
-  Strip band;
+BestStrip best_strip(const CrackPattern& pattern, const Rectangle& specimen, double band_width) {
+  BestStrip best;
   for (int angle = -kFlattestBand; angle <= kFlattestBand; ++angle) {
     const Vec2 across = across_direction(angle);
-    const Scores scores(pattern, across, reach, band_width);
+    const Scores scores(pattern, across, specimen.width + specimen.height, band_width);
     for (std::size_t i = 0; i < scores.size(); ++i) {
+      if (scores[i] <= best.score) continue;
       const Strip strip{across, scores.place(i), band_width};
-      if (scores[i] <= best || area_in(strip, width, height) < band_width * width) continue;
-      best = scores[i];
-      best_angle = angle;
-      band = strip;
+      if (area_in(strip, specimen.width, specimen.height) < band_width * specimen.width) continue;
+      best = {strip, static_cast<double>(angle), scores[i]};
     }
   }
-  if (best == 0.0) return {kNothing, kNothing, kNothing};
-  const double share = length_share(pattern, [&](const CrackLine& crack) { return band.holds(crack.middle()); });
-  return {best_angle, share, share * width * height / area_in(band, width, height)};
+  return best;
+}
+
+double length_in(const Strip& strip, const CrackPattern& pattern) {
+  return total_length(select(pattern, [&](const CrackLine& crack) { return strip.holds(crack.middle()); }));
+}
+
+/// Standard deviation of the concentration of `count` cracks, scattered evenly, in a share of the area.
+double scatter_by_chance(std::size_t count, double area_share) {
+  return std::sqrt((1.0 - area_share) / (static_cast<double>(count) * area_share));
+}
+
+}  // namespace
+
+FailureBands fit_bands(const CrackPattern& pattern, double width, double height) {
+  FailureBands bands{{kNothing, kNothing}, {kNothing, kNothing}, kNothing, kNothing};
+  const double length = total_length(pattern);
+  const double band_width = std::max(
+      kBandWidth * width, kBandCracks * length / static_cast<double>(std::max<std::size_t>(1, pattern.size())));
+  CrackPattern rest = pattern;
+  double shares = 0.0, area = 0.0;  // of the length and of the specimen
+  for (std::size_t i = 0; i < 2; ++i) {
+    const BestStrip best = best_strip(rest, {width, height}, band_width);
+    if (best.score == 0.0) break;
+    bands.angle_deg[i] = best.angle_deg;
+    bands.share[i] = length_in(best.strip, rest) / length;
+    shares += bands.share[i];
+    area += area_in(best.strip, width, height) / (width * height);
+    bands.concentration = shares / area;
+    bands.significance = (bands.concentration - 1.0) / scatter_by_chance(pattern.size(), area);
+    rest = select(rest, [&](const CrackLine& crack) { return !best.strip.holds(crack.middle()); });
+  }
+  return bands;
 }
 
 }  // namespace asperity

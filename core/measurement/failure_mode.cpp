@@ -60,9 +60,10 @@ DiscFailure disc_failure(const CrackPattern& pattern, double diameter) {
 
 const char* CompressionFailure::verdict() const {
   if (cracks.length_mm < width_mm) return "none";
-  const bool concentrated = band.concentration >= kConcentrated;
+  const bool concentrated = bands.concentration >= kConcentrated && bands.significance >= kSignificant;
+  const bool steep = concentrated && std::abs(bands.angle_deg[0]) < kAxial;
   const bool split = spans_height() && !spans_width();
-  if (split || (concentrated && std::abs(band.angle_deg) < kAxial)) return "axial splitting";
+  if (cracks.tension_share >= 0.5 && (split || steep)) return "axial splitting";
   return concentrated ? "oblique band" : "diffuse";
 }
 
@@ -75,7 +76,7 @@ CompressionFailure compression_failure(const CrackPattern& pattern, double width
   failure.cluster = principal_direction(cluster);
   failure.cluster_width_share = extent(cluster, &Vec2::x) / width;
   failure.cluster_height_share = extent(cluster, &Vec2::y) / height;
-  failure.band = fit_band(pattern, width, height);
+  failure.bands = fit_bands(pattern, width, height);
   failure.width_mm = width;
   return failure;
 }

@@ -36,8 +36,9 @@ DiscFailure disc_failure(const CrackPattern& pattern, double diameter_mm);
 
 /// Share of the specimen's width or height that a cluster must cover to span it.
 inline constexpr double kSpan = 0.95;
-/// Concentration of a band from which it is one, and steepest oblique band, degrees from the loading axis.
-inline constexpr double kConcentrated = 2.0, kAxial = 15.0;
+/// Concentration and significance from which cracks lie in bands, and the flattest split, degrees from the loading
+/// axis.
+inline constexpr double kConcentrated = 1.7, kSignificant = 5.0, kAxial = 15.0;
 
 /// A compression specimen's cracks; Eqs. (M16)-(M23), (M27).
 struct CompressionFailure {
@@ -46,7 +47,7 @@ struct CompressionFailure {
   double cluster_share = 0;  ///< Of the length, in the largest cluster.
   PrincipalDirection cluster;
   double cluster_width_share = 0, cluster_height_share = 0;  ///< What it covers of the specimen's width and height.
-  FailureBand band;
+  FailureBands bands;
   double width_mm = 0;  ///< Of the specimen.
   bool spans_width() const { return cluster_width_share >= kSpan; }
   bool spans_height() const { return cluster_height_share >= kSpan; }

@@ -18,8 +18,8 @@ struct Peak {
 /// Throws a tolerance error for an empty series.
 Peak find_peak(std::span<const Sample> samples, double strain_limit);
 
-/// The stress (MPa) from which the curve first fell by a tenth, Eq. (M28), among samples up to a strain: a disc that jaws
-/// hold together after it has split may bear more later. Empty where it never did.
+/// The stress (MPa) from which the curve first fell by a tenth, Eq. (M28), among samples up to a strain: a disc that
+/// jaws hold together after it has split may bear more later. Empty where it never did.
 std::optional<double> first_drop(std::span<const Sample> samples, double strain_limit);
 
 /// Young's modulus (GPa) and Poisson's ratio over the stress window; Eqs. (M4)-(M6).

@@ -70,7 +70,7 @@ TEST_CASE("an oblique band: its angle by fit and by second moments, and it spans
   const CompressionFailure c = compression(oblique_band());
   const double angle = std::atan2(54, 75) * 180 / std::numbers::pi;
   CHECK(c.verdict() == std::string("oblique band"));
-  CHECK(c.band.angle_deg == Approx(angle).margin(1.01));
+  CHECK(c.bands.angle_deg[0] == Approx(angle).margin(1.01));
   CHECK(c.cluster.angle_deg == Approx(angle).margin(0.5));
   CHECK(c.cluster.elongation > 20);
   CHECK(c.cluster_share == Approx(1.0));
@@ -95,7 +95,7 @@ TEST_CASE("conjugate bands are told by the fit, not by the cluster that holds bo
   both.back().vertex[1] = 25;  // where they cross
   const CompressionFailure c = compression(both);
   CHECK(c.verdict() == std::string("oblique band"));
-  CHECK(c.band.angle_deg == Approx(36).margin(2));
+  CHECK(c.bands.angle_deg[0] == Approx(36).margin(2));
   CHECK(c.cluster.elongation < 5);
 }
 
@@ -109,9 +109,16 @@ TEST_CASE("axial splits, one or several, from end to end") {
     columns = columns + straight({x, 0}, {x + 1, kHeight}, 60, kTension, 100 * i, 0.6);
   }
   const CompressionFailure several = compression(columns);
-  CHECK(several.band.concentration < kConcentrated);  // no single band
   CHECK(several.verdict() == std::string("axial splitting"));
   CHECK(several.cracks.tension_share == 1.0);
+}
+
+TEST_CASE("a steep band broken in shear is no split") {
+  const CompressionFailure c = compression(straight({-3, 0}, {20, kHeight}, 60, kShear, 0, 0.6));  // 10 degrees
+  CHECK(c.bands.angle_deg[0] == Approx(10).margin(1.01));
+  CHECK(c.spans_height());
+  CHECK_FALSE(c.spans_width());
+  CHECK(c.verdict() == std::string("oblique band"));
 }
 
 TEST_CASE("scattered cracks are diffuse, a few none") {
