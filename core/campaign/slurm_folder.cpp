@@ -28,25 +28,28 @@ std::string quoted(const std::string& word) {
 
 std::string task_file(int index, const char* ending) { return "task_" + std::to_string(index) + ending; }
 
-/// The shell waits for the run instead of becoming it: so signals reach the run, and its exit code is left in a file
-/// even where Slurm keeps no accounts. `wait` also returns when a signal comes, while the run still writes.
+/// What the task's shell does after the run is at work. It waits instead of becoming the run: so signals reach the run,
+/// and its exit code is left in a file even where Slurm keeps no accounts. A signal ends `wait` while the run still
+/// writes its checkpoint, so it is called again; 127 is its answer for a run that it has told of already.
+constexpr const char* kWaitForRun = R"(run=$!
+[ -z "$told" ] || kill -TERM "$run"
+wait "$run"
+code=$?
+while [ -n "$told" ]; do
+  told=
+  wait "$run"
+  again=$?
+  [ "$again" = 127 ] || code=$again
+done
+)";
+
 std::string task_script(const Task& task, const fs::path& exit_file) {
   std::string command;
   for (const std::string& word : task.command) command += quoted(word) + " ";
   const std::string file = quoted(exit_file.string()), beside = quoted(exit_file.string() + ".tmp");
-  return "#!/bin/sh\n" + command + ">> " + quoted(task.log.string()) +
-         " 2>&1 &\n"
-         "run=$!\n"
-         "trap 'kill -TERM \"$run\" 2>/dev/null' TERM INT\n"
-         "while :; do\n"
-         "  wait \"$run\"\n"
-         "  code=$?\n"
-         "  kill -0 \"$run\" 2>/dev/null || break\n"
-         "done\n"
-         "echo \"$code\" > " +
-         beside + " && mv " + beside + " " + file +
-         "\n"
-         "exit \"$code\"\n";
+  return "#!/bin/sh\ntold= run=\ntrap 'told=yes; [ -z \"$run\" ] || kill -TERM \"$run\" 2>/dev/null' TERM INT\n" +
+         command + ">> " + quoted(task.log.string()) + " 2>&1 &\n" + kWaitForRun + "echo \"$code\" > " + beside +
+         " && mv " + beside + " " + file + "\nexit \"$code\"\n";
 }
 
 std::string new_name(const fs::path& parent) {

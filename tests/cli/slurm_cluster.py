@@ -60,12 +60,13 @@ def free_port():
         return s.getsockname()[1]
 
 
-def ended(pid):
-    """Whether the process is gone, or dead and not yet seen by its parent."""
+def runs(pid, name):
+    """Whether the process is at work and is a program of this name: the number of one that has ended may soon be another's."""
     try:
-        return pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] == "Z"
+        program, state = pathlib.Path(f"/proc/{pid}/stat").read_text().split("(", 1)[1].rsplit(")", 1)
+        return program == name and state.split()[0] != "Z"
     except (FileNotFoundError, ProcessLookupError):
-        return True
+        return False
 
 
 class Cluster:
@@ -133,11 +134,11 @@ class Cluster:
 
     def stop(self, name, with_signal=signal.SIGTERM):
         pid = self.pid(name)
-        if pid is None or ended(pid):
+        if pid is None or not runs(pid, name):
             return
         os.kill(pid, with_signal)
         begin = time.monotonic()
-        while not ended(pid) and time.monotonic() - begin < SECONDS:
+        while runs(pid, name) and time.monotonic() - begin < SECONDS:
             time.sleep(0.05)
 
     def kill_daemon(self):
@@ -145,11 +146,11 @@ class Cluster:
         self.stop("slurmd", signal.SIGKILL)
 
     def kill_node(self, tasks):
-        """The node dies: its compute daemon and the processes with these numbers. A health check tells the controller, which
+        """The node dies: its compute daemon and these processes, by number with their names. A health check tells the controller, which
         would take half a minute to see it by itself."""
         self.kill_daemon()
-        for pid in tasks:
-            if not ended(pid):
+        for pid, name in tasks.items():
+            if runs(pid, name):
                 os.kill(pid, signal.SIGKILL)
         self.command("scontrol", "update", f"NodeName={HOST}", "State=DOWN", "Reason=died")
 

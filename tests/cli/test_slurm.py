@@ -25,23 +25,27 @@ def rows_of(store):
     return {p.parent.name: p.read_text().count("\n") for p in store.glob("*/curves.csv")}
 
 
-def command_and_parent(pid):
-    """Of a process; nothing of one that has just ended."""
+def process(pid):
+    """Command line, program and parent of a process; nothing of one that has just ended."""
     try:
         folder = pathlib.Path("/proc") / str(pid)
-        return (folder / "cmdline").read_text().replace("\0", " "), int((folder / "stat").read_text().rsplit(")", 1)[1].split()[1])
+        program, rest = (folder / "stat").read_text().split("(", 1)[1].rsplit(")", 1)
+        return (folder / "cmdline").read_text().replace("\0", " "), program, int(rest.split()[1])
     except (FileNotFoundError, ProcessLookupError):
-        return "", 0
+        return "", "", 0
 
 
 def processes_of(store, but):
-    """The tasks' runs and shells, whose command names the store, and the step daemons above them; not this process."""
-    found = set()
+    """Tasks' runs and shells, whose command names the store, and the step daemons above them, but not this process: the
+    program of each by its number."""
+    found = {}
     for pid in (int(p.name) for p in pathlib.Path("/proc").glob("[0-9]*")):
-        command, parent = command_and_parent(pid)
+        command, program, parent = process(pid)
         if str(store) not in command or pid == but:
             continue
-        found |= {pid} | ({parent} if command_and_parent(parent)[0].startswith("slurmstepd") else set())
+        found[pid] = program
+        if process(parent)[1] == "slurmstepd":
+            found[parent] = "slurmstepd"
     return found
 
 

@@ -33,13 +33,16 @@ echo $job
     asperity.write_program(bin / "squeue", R"([ ! -e FOLDER/away ] || { rm FOLDER/away; exit 1; }
 for t in FOLDER/jobs/*/task.*; do
   job=$(basename $(dirname $t))
-  kill -0 $(cat $t) 2> /dev/null && echo "$job ${t##*.} R"
+  # By its command: the number of a process that has ended may soon be another's.
+  tr '\0' ' ' < /proc/$(cat $t)/cmdline 2> /dev/null | grep -q 'FOLDER/.*task_' && echo "$job ${t##*.} R"
 done
 exit 0
 )");
     asperity.write_program(bin / "scancel", R"(echo "$*" >> 'FOLDER/scancel.calls'
 case "$*" in *PENDING*) exit 0;; esac
-for t in FOLDER/jobs/*/task.*; do kill -TERM $(cat $t) 2> /dev/null; done
+for t in FOLDER/jobs/*/task.*; do
+  tr '\0' ' ' < /proc/$(cat $t)/cmdline 2> /dev/null | grep -q 'FOLDER/.*task_' && kill -TERM $(cat $t)
+done
 exit 0
 )");
     ::setenv("PATH", (bin.string() + ":" + path_).c_str(), 1);
