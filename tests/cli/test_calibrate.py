@@ -63,7 +63,7 @@ class Simulated(CommandLineTest):
             self.succeed("validate", first / config)
         self.assertEqual(len(result["trade_off"]), 1)
         self.assertGreater(result["cost"]["runs"], 8 * 4)
-        for word in ("Verification", "ANOVA", "<img"):
+        for word in ("Outcome", "Analysis of variance", "<img"):
             self.assertIn(word.lower(), (first / "report.html").read_text().lower())
         second = SCRATCH / "second"
         again = calibrate(COARSE, second, "--jobs", "1")
