@@ -1,5 +1,9 @@
 #include "core/campaign/stored_run.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.hpp"
@@ -42,6 +46,14 @@ RunView unfinished_view(const StoredRun& run) {
   return {can_be_resumed(run) && !resuming_failed ? RunStand::resume : RunStand::start, {}};
 }
 
+/// Replaces a file of the store that several campaigns may write at once: each writes beside it under a name of its
+/// own.
+void replace_in_store(const fs::path& path, const std::string& text) {
+  const fs::path own = path.string() + "." + std::to_string(::getpid());
+  write_file_atomically(own, text);
+  if (std::rename(own.c_str(), path.c_str()) != 0) throw output_error(path, "cannot be replaced", errno);
+}
+
 }  // namespace
 
 StoredRun stored_run(const fs::path& store, const RunConfig& config) {
@@ -56,7 +68,7 @@ void write_config(const StoredRun& run, RunConfig config) {
   config.description.clear();
   const std::string text = effective_json(config);
   if (fs::exists(run.config) && read_file(run.config) == text) return;
-  write_file_atomically(run.config, text);
+  replace_in_store(run.config, text);
 }
 
 bool comes_again(int exit_code) {
@@ -72,7 +84,7 @@ void write_failure(const StoredRun& run, const Failure& failure) {
                      {"exit_code", failure.exit_code},
                      {"reason", failure.reason},
                      {"resumed", failure.resumed}};
-  write_file_atomically(run.failure, note.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  replace_in_store(run.failure, note.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::optional<Failure> find_failure(const StoredRun& run) try {
