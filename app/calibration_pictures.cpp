@@ -7,6 +7,8 @@
 #include "core/base/atomic_file.hpp"
 #include "core/base/output_error.hpp"
 #include "core/config/read_config.hpp"
+#include "core/config/schema_lookup.hpp"
+#include "core/measurement/capture.hpp"
 #include "core/output/run_folder.hpp"
 
 namespace asperity::app {
@@ -33,7 +35,9 @@ void copy_pictures(const fs::path& folder, const VerifiedSet& set, const std::st
   for (const fs::path& run : set.cases.front().folders) {
     const fs::path picture = crack_picture(run);
     if (picture.empty()) continue;
-    const std::string test = read_run_config(run / "config.effective.json").name;
+    const ExperimentConfig e = read_run_config(run / "config.effective.json").experiment;
+    const std::string pressure = e.type == ExperimentType::triaxial ? "_" + number_text(e.confining_pressure_mpa) : "";
+    const std::string test = experiment_name(e.type) + pressure;
     write_file_atomically(folder / (prefix + test + "_cracks.png"), read_file(picture));
   }
 }
