@@ -11,10 +11,12 @@
 namespace asperity {
 namespace {
 
-/// Eqs. (C40), (C42): the parts of both triangles' edges inside each other; false where they do not overlap.
-bool overlap(const PresentTriangle& a, const PresentTriangle& b, double stiffening, std::array<EdgePart, 6>& parts) {
+/// Eqs. (C40), (C42): the parts of both triangles' edges inside each other, deeper than the seat; false where there are
+/// none.
+bool overlap(const PresentTriangle& a, const PresentTriangle& b, double stiffening, double seat,
+             std::array<EdgePart, 6>& parts) {
   DepthTable b_in_a, a_in_b;
-  if (!depth_table(a, b.x, b_in_a) || !depth_table(b, a.x, a_in_b)) return false;
+  if (!depth_table(a, b.x, seat, b_in_a) || !depth_table(b, a.x, seat, a_in_b)) return false;
   double inside = 0.0;
   for (int k = 0; k < 3; ++k) {
     parts[k] = edge_part(a_in_b, k, stiffening);
@@ -24,16 +26,43 @@ bool overlap(const PresentTriangle& a, const PresentTriangle& b, double stiffeni
   return inside > 0.0;
 }
 
+double deepest_of(const std::array<EdgePart, 6>& parts) {
+  double deepest = 0.0;
+  for (const EdgePart& part : parts) deepest = std::max(deepest, part.deepest);
+  return deepest;
+}
+
+double inradius(const PresentTriangle& t) { return 1.0 / (1.0 / t.height[0] + 1.0 / t.height[1] + 1.0 / t.height[2]); }
+
+/// Most of an inradius that a seat may take: the rest must be able to hold the two apart.
+constexpr double kMostSeat = 0.5;
+
+/// Eq. (C54): where neighbours overlap when they begin to meet, and less as soon as they overlap less.
+void seat_neighbours(const GeneralContacts& general, MemberPair& pair) {
+  if (!pair.neighbours || pair.seat == 0.0) return;
+  const PresentTriangle &a = general.frames[pair.a], &b = general.frames[pair.b];
+  std::array<EdgePart, 6> parts;
+  if (!overlap(a, b, general.stiffening, 0.0, parts)) {
+    pair.seat = kUnseated;
+    return;
+  }
+  const double deepest = deepest_of(parts);
+  const double first = std::clamp(deepest - general.play, 0.0, kMostSeat * std::min(inradius(a), inradius(b)));
+  pair.seat = pair.seat == kUnseated ? first : std::min(pair.seat, deepest);
+}
+
 /// Brings the touches of pairs [begin, end) up to date and marks them alive; returns those that begin, in order.
 std::vector<Touch> update_touches(GeneralContacts& general, const BondedContacts& bonded, std::size_t begin,
                                   std::size_t end) {
   std::vector<Touch> begun;
   std::array<EdgePart, 6> parts;
   for (std::size_t p = begin; p < end; ++p) {
-    const MemberPair& pair = general.pairs[p];
+    MemberPair& pair = general.pairs[p];
     const double weight = pair_weight(general, bonded, pair);
     if (weight <= 0.0) continue;
-    if (!overlap(general.frames[pair.a], general.frames[pair.b], general.stiffening, parts)) continue;
+    seat_neighbours(general, pair);
+    if (pair.seat == kUnseated) continue;
+    if (!overlap(general.frames[pair.a], general.frames[pair.b], general.stiffening, pair.seat, parts)) continue;
     if (pair.touch < 0) begun.emplace_back().pair = static_cast<int>(p);
     Touch& touch = pair.touch < 0 ? begun.back() : general.touches[pair.touch];
     touch.weight = weight;
@@ -105,7 +134,8 @@ double pair_potential(const GeneralContacts& general, const Touch& touch) {
   const MemberPair& pair = general.pairs[touch.pair];
   const PresentTriangle &a = general.frames[pair.a], &b = general.frames[pair.b];
   return 0.5 * touch.k_n *
-         (overlap_potential(a, b.x, general.stiffening) + overlap_potential(b, a.x, general.stiffening));
+         (overlap_potential(a, b.x, general.stiffening, pair.seat) +
+          overlap_potential(b, a.x, general.stiffening, pair.seat));
 }
 
 /// Forces of all touches, added to those of the triangles' corners.
@@ -202,9 +232,8 @@ DeepestTouch deepest_touch(const GeneralContacts& general) {
     for (int i = 0; i < 6; ++i) {
       const Entry entry = entry_of(general.pairs[touch.pair], i);
       if (!is_exposed(general, entry)) continue;
-      const auto& h = general.frames[entry.other].height;
-      const double inradius = 1.0 / (1.0 / h[0] + 1.0 / h[1] + 1.0 / h[2]);
-      const double share = touch.parts[i].deepest / inradius;
+      const double depth = touch.parts[i].deepest + general.pairs[touch.pair].seat;
+      const double share = depth / inradius(general.frames[entry.other]);
       if (share > deepest.share) deepest = {share, general.frames[entry.own].x[entry.k]};
     }
   }

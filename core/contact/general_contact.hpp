@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -36,8 +37,13 @@ struct MemberPair {
   int a, b;  ///< Member indices, a < b.
   int chain_begin = 0;
   int chain_size = 0;
-  int touch = -1;  ///< Index of their touch, -1 while apart.
+  int touch = -1;      ///< Index of their touch, -1 while apart.
+  int neighbours = 0;  ///< 1: they share one vertex of the mesh.
+  double seat = 0;     ///< mm: the overlap of neighbours that does not count, Eq. (C54).
 };
+
+/// Seat of neighbours that have not met since they last parted.
+inline constexpr double kUnseated = std::numeric_limits<double>::infinity();
 
 /// Where the forces of an edge inside another triangle act: on the edge at s (0 to 1), on the other triangle with the
 /// shape functions `share`.
@@ -76,6 +82,7 @@ struct GeneralContacts {
   GeneralContactLaw law;
   double skin = 0;        ///< mm: pairs nearer than this are on the list.
   double stiffening = 0;  ///< 1/mm2, Eq. (C40).
+  double play = 0;        ///< mm: overlaps of neighbours up to this count in full, Eq. (C54).
 
   std::vector<ContactMember> members;
   std::vector<MemberPair> pairs;

@@ -54,9 +54,10 @@ double integral(const Polygon& polygon, int k, double stiffening) {
 
 }  // namespace
 
-double overlap_potential(const PresentTriangle& in, const std::array<Vec2, 3>& corners, double stiffening) {
+double overlap_potential(const PresentTriangle& in, const std::array<Vec2, 3>& corners, double stiffening,
+                         double seat) {
   DepthTable d;
-  if (!depth_table(in, corners, d)) return 0.0;
+  if (!depth_table(in, corners, seat, d)) return 0.0;
   Polygon shared;
   for (int j = 0; j < 3; ++j) shared.add({d[0][j], d[1][j], d[2][j]});
   for (int k = 0; k < 3; ++k) shared = clip(shared, [k](const auto& p) { return p[k]; });

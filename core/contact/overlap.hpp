@@ -36,10 +36,11 @@ inline PresentTriangle present_triangle(const TriangleShape& shape, const std::a
 /// Depths of the three corners of one triangle below the three edges of another: [edge of the other][corner].
 using DepthTable = std::array<std::array<double, 3>, 3>;
 
-/// Fills the table; false as soon as one edge of `in` has all of `corners` outside.
-inline bool depth_table(const PresentTriangle& in, const std::array<Vec2, 3>& corners, DepthTable& table) {
+/// Fills the table with depths less `seat` (mm), Eq. (C54); false as soon as one edge of `in` has all of `corners`
+/// outside.
+inline bool depth_table(const PresentTriangle& in, const std::array<Vec2, 3>& corners, double seat, DepthTable& table) {
   for (int k = 0; k < 3; ++k) {
-    for (int j = 0; j < 3; ++j) table[k][j] = in.depth(k, corners[j]);
+    for (int j = 0; j < 3; ++j) table[k][j] = in.depth(k, corners[j]) - seat;
     if (table[k][0] <= 0.0 && table[k][1] <= 0.0 && table[k][2] <= 0.0) return false;
   }
   return true;
@@ -125,8 +126,9 @@ inline EdgePart edge_part(const DepthTable& d, int j, double stiffening = 0.0) {
   return part;
 }
 
-/// Integral of the pressure depth of `in` over its overlap with another triangle, in the rest area of `in` (mm3); Eq.
-/// (C41).
-double overlap_potential(const PresentTriangle& in, const std::array<Vec2, 3>& corners, double stiffening = 0.0);
+/// Integral of the pressure depth of `in`, beyond a seat (mm), over its overlap with another triangle, in the rest area
+/// of `in` (mm3); Eqs. (C41), (C54).
+double overlap_potential(const PresentTriangle& in, const std::array<Vec2, 3>& corners, double stiffening = 0.0,
+                         double seat = 0.0);
 
 }  // namespace asperity

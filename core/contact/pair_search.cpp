@@ -97,6 +97,10 @@ bool apart(const PresentTriangle& in, const PresentTriangle& other, double skin)
   return false;
 }
 
+/// Overlap over the mean edge that counts in full between neighbours, Eq. (C54): several times what faces under stress
+/// overlap.
+constexpr double kPlay = 0.01;
+
 /// How the joints between two triangles hold them together, the firmest first.
 enum class Hold { intact, handing_over, cut };
 
@@ -184,6 +188,14 @@ class ChainFinder {
   std::vector<int>& list_;
 };
 
+int shared_vertices(const Particles& particles, int triangle_a, int triangle_b) {
+  int shared = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) shared += vertex_at(particles, 3 * triangle_a + i) == vertex_at(particles, 3 * triangle_b + j);
+  }
+  return shared;
+}
+
 void list_pairs(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles) {
   general.chain_contacts.clear();
   ChainFinder find_chains(bonded, particles, general.chain_contacts);
@@ -192,6 +204,10 @@ void list_pairs(GeneralContacts& general, const BondedContacts& bonded, const Pa
     if (apart(ta, tb, general.skin) || apart(tb, ta, general.skin)) continue;
     MemberPair pair{a, b};
     if (find_chains(general.members[a].triangle, general.members[b].triangle, pair)) {
+      if (shared_vertices(particles, general.members[a].triangle, general.members[b].triangle) == 1) {
+        pair.neighbours = 1;
+        pair.seat = kUnseated;
+      }
       general.pairs.push_back(pair);
     } else {
       general.chain_contacts.resize(pair.chain_begin);
@@ -199,19 +215,42 @@ void list_pairs(GeneralContacts& general, const BondedContacts& bonded, const Pa
   }
 }
 
-/// Gives the live touches to the pairs of the new list, which is sorted by triangles.
-void carry_touches(GeneralContacts& general, const std::vector<std::array<int, 2>>& triangles_of_touch) {
-  const auto triangles = [&](const MemberPair& pair) {
-    return std::array{general.members[pair.a].triangle, general.members[pair.b].triangle};
-  };
+/// What a pair remembers from one list to the next.
+struct PairMemory {
+  std::array<int, 2> triangles;
+  int neighbours;
+  double seat;
+  int touch;
+};
+
+std::array<int, 2> triangles_of(const GeneralContacts& general, const MemberPair& pair) {
+  return {general.members[pair.a].triangle, general.members[pair.b].triangle};
+}
+
+std::vector<PairMemory> remember_pairs(const GeneralContacts& general) {
+  std::vector<PairMemory> memories;
+  for (const MemberPair& pair : general.pairs) {
+    memories.push_back({triangles_of(general, pair), pair.neighbours, pair.seat, pair.touch});
+  }
+  return memories;
+}
+
+/// Gives seats and live touches to the pairs of the new list; both lists are sorted by triangles.
+void carry_over(GeneralContacts& general, const std::vector<PairMemory>& memories) {
+  std::vector<std::array<int, 2>> new_pair_of_touch;  // in the order of the touches: {touch, pair}
+  auto pair = general.pairs.begin();
+  for (const PairMemory& memory : memories) {
+    while (pair != general.pairs.end() && triangles_of(general, *pair) < memory.triangles) ++pair;
+    if (pair == general.pairs.end() || triangles_of(general, *pair) != memory.triangles) continue;
+    if (memory.neighbours) pair->seat = memory.seat;
+    if (memory.touch >= 0) new_pair_of_touch.push_back({memory.touch, static_cast<int>(pair - general.pairs.begin())});
+  }
+  std::sort(new_pair_of_touch.begin(), new_pair_of_touch.end());
   std::vector<Touch> kept;  // all, unless two triangles parted by more than the skin in one step
-  for (std::size_t t = 0; t < general.touches.size(); ++t) {
-    const auto pair = std::lower_bound(general.pairs.begin(), general.pairs.end(), triangles_of_touch[t],
-                                       [&](const MemberPair& p, const auto& key) { return triangles(p) < key; });
-    if (pair == general.pairs.end() || triangles(*pair) != triangles_of_touch[t]) continue;
-    pair->touch = static_cast<int>(kept.size());
-    kept.push_back(general.touches[t]);
-    kept.back().pair = static_cast<int>(pair - general.pairs.begin());
+  for (const auto& [touch, index] : new_pair_of_touch) {
+    general.pairs[index].touch = static_cast<int>(kept.size());
+    kept.push_back(general.touches[touch]);
+    kept.back().pair = index;
   }
   general.touches = std::move(kept);
 }
@@ -229,23 +268,20 @@ GeneralContacts make_general_contacts(const Particles& particles, const GeneralC
   }
   const double mean_edge = length / (3.0 * static_cast<double>(particles.triangle_count()));
   general.skin = kSkin * mean_edge;
+  general.play = kPlay * mean_edge;
   general.stiffening = 1.0 / (kStiffeningDepth * kStiffeningDepth * mean_edge * mean_edge);
   return general;
 }
 
 void search_pairs(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles,
                   const ParallelLoops& loops) {
-  std::vector<std::array<int, 2>> triangles_of_touch;
-  for (const Touch& touch : general.touches) {
-    const MemberPair& pair = general.pairs[touch.pair];
-    triangles_of_touch.push_back({general.members[pair.a].triangle, general.members[pair.b].triangle});
-  }
+  const std::vector<PairMemory> memories = remember_pairs(general);
   general.members = find_members(bonded, particles);
   link_surface(general, bonded, particles.triangle_count());
   update_frames(general, particles, loops);
   general.pairs.clear();
   list_pairs(general, bonded, particles);
-  carry_touches(general, triangles_of_touch);
+  carry_over(general, memories);
   general.handing_over.clear();
   for (std::size_t c = 0; c < bonded.size(); ++c) {
     if (bonded.is_broken(c) && bonded.weight(c) > 0.0) general.handing_over.push_back(static_cast<int>(c));

@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::string_view kMagic = "asperity checkpoint 6\n";
+constexpr std::string_view kMagic = "asperity checkpoint 7\n";
 constexpr std::size_t kDigest = 64;
 
 /// Appends plain values and vectors of them to a byte string, each with its size, so that other code's layout is seen.

@@ -191,8 +191,8 @@ TEST_CASE("Forces of contacts handing over are the gradient of the energy that b
   double worst = 0, shared = 0;
   for (int trial = 0; trial < 60; ++trial) {
     System system = handing_over_wheel(random);
-    const System at = system;
     compute_forces(system, kLoops);
+    const System at = system;  // which knows the seats
     double size = 0;
     for (std::size_t i = 0; i < system.particles.node_count(); ++i) {
       size = std::max(size, norm(internal_force(system, i)));
