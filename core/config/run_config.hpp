@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "core/base/vec2.hpp"
+
 /// One run, as plain data. Every member keeps the unit in its name, as its JSON key does; read_run_config fills and
 /// checks it. The JSON Schema configs/schema/run.schema.json describes every key.
 namespace asperity {
 
-enum class ExperimentType { uniaxial, triaxial, brazilian };
+enum class ExperimentType { uniaxial, triaxial, brazilian, direct_shear };
 enum class PlaneCondition { stress, strain };
 enum class PlatenShape { flat, curved };
 enum class ParticleKind { triangle, voronoi };
@@ -36,6 +38,7 @@ struct RateControlConfig {
 
 struct LoadingConfig {
   LoadingMode mode = LoadingMode::continuous;
+  double shear_rate_mm_per_s = 100.0;  ///< Direct shear: of the lower half.
   double closing_rate_mm_per_s = 100.0;  ///< Of the two platens together.
   double ramp_time_s = 0.0;  ///< From rest to the closing rate (Brazilian); the uniaxial test starts from a linear
                              ///< velocity field instead.
@@ -50,6 +53,7 @@ struct LoadingConfig {
 
 struct StopConfig {
   double axial_strain = 0.03;              ///< Closure over height (compression) or over diameter (disc).
+  double shear_displacement_mm = 12.0;     ///< Direct shear.
   std::optional<double> fraction_of_peak;  ///< Stop when the stress has fallen below this fraction of its peak.
   std::optional<double> time_s;
   bool operator==(const StopConfig&) const = default;
@@ -63,11 +67,34 @@ struct ExperimentConfig {
   double diameter_mm = 54.0;            ///< Brazilian disc.
   double thickness_mm = 1.0;            ///< Out of plane.
   double confining_pressure_mpa = 0.0;  ///< Triaxial.
+  double normal_stress_mpa = 0.0;       ///< Direct shear: on the joint's plan area.
   PlatenConfig platens;
   LoadingConfig loading;
   StopConfig stop;
   double jaw_radius() const { return platens.jaw_radius_mm.value_or(1.5 * 0.5 * diameter_mm); }  ///< mm
   bool operator==(const ExperimentConfig&) const = default;
+};
+
+/// One symmetric saw tooth of a joint.
+struct ToothConfig {
+  double angle_deg = 30.0;     ///< Of both flanks against the joint's plane.
+  double height_mm = 5.0;      ///< Of the crest above the plane.
+  double gap_before_mm = 3.5;  ///< Flat part between the tooth and the one before it, or the joint's beginning.
+  bool operator==(const ToothConfig&) const = default;
+};
+
+/// A rock joint in direct shear. x runs along the joint from 0 to its length, in the direction in which the lower half
+/// is driven; y = 0 is its plane.
+struct JointConfig {
+  std::vector<ToothConfig> profile{ToothConfig{}};  ///< Teeth of the lower half, in the order of x.
+  double end_gap_mm = 3.5;                          ///< Flat part after the last tooth.
+  std::vector<Vec2> points_mm;  ///< Profile as a line of points with ascending x, in place of the teeth; empty: teeth.
+  double lower_height_mm = 20.0, upper_height_mm = 20.0;  ///< Of the halves, from the joint's plane.
+  /// Breakable particles reach this far below the lower half's lowest point, and above the profile in the upper half.
+  double damage_depth_lower_mm = 2.0, damage_depth_upper_mm = 2.0;
+  double coarse_edge_mm = 4.0;  ///< Largest edge in the elastic rest of the halves.
+  bool breakable = true;        ///< False: both halves are elastic throughout.
+  bool operator==(const JointConfig&) const = default;
 };
 
 /// The intact material's laboratory properties: input of the closed forms (Eqs 10-14).
@@ -171,6 +198,7 @@ struct RunConfig {
   std::string name = "run";  ///< Unset in the file: the file's name without .json.
   std::string description;
   ExperimentConfig experiment;
+  JointConfig joint;
   MaterialConfig material;
   ParticleConfig particles;
   ContactConfig contacts;
