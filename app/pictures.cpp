@@ -63,6 +63,54 @@ std::vector<double> sum(std::vector<double> a, const std::vector<double>& b) {
 
 const char* strain_label(bool compression) { return compression ? "axial strain [%]" : "closure / diameter [%]"; }
 
+/// What the plots of a test stand over.
+struct Abscissa {
+  const char* column;
+  double factor;
+  const char* label;
+};
+
+Abscissa abscissa_of(ExperimentType type) {
+  if (type == ExperimentType::direct_shear) return {"shear_displacement_mm", 1.0, "shear displacement [mm]"};
+  return {"axial_strain", 100.0, strain_label(is_compression(type))};
+}
+
+std::vector<double> abscissae(const CsvData& table, const Abscissa& a) {
+  return scaled(table.numbers(a.column), a.factor);
+}
+
+/// The paper's Figs 8 and 10.
+void plot_shear(const CsvData& curves, const std::filesystem::path& path) {
+  using render::SeriesKind;
+  using render::VerticalAxis;
+  const std::vector<double> x = curves.numbers("shear_displacement_mm");
+  render::Plot plot;
+  plot.title = "Shear stress and dilation against displacement";
+  plot.x_label = "shear displacement [mm]";
+  plot.y_label = "stress on the plan area [MPa]";
+  plot.second_y_label = "dilation [mm]";
+  plot.series = {{"shear stress", x, curves.numbers("shear_stress_mpa"), {}},
+                 {"normal stress", x, curves.numbers("normal_stress_mpa"), {}},
+                 {"dilation", x, curves.numbers("dilation_mm"), {SeriesKind::line, VerticalAxis::right, {}}}};
+  render::write_plot(plot, path);
+}
+
+/// What each flank bears of the shear stress.
+void plot_teeth(const CsvData& curves, std::size_t teeth, double length_mm, const std::filesystem::path& path) {
+  const std::vector<double> x = curves.numbers("shear_displacement_mm");
+  render::Plot plot;
+  plot.title = "Shear stress borne by each tooth's flanks";
+  plot.x_label = "shear displacement [mm]";
+  plot.y_label = "share of the shear stress [MPa]";
+  plot.series = {{"whole joint", x, curves.numbers("shear_stress_mpa"), {}}};
+  for (std::size_t i = 1; i <= teeth; ++i) {
+    const std::string tooth = "tooth" + std::to_string(i) + "_", name = "tooth " + std::to_string(i) + ", ";
+    plot.series.push_back({name + "leading flank", x, scaled(curves.numbers(tooth + "leading_x_n_per_mm"), 1 / length_mm), {}});
+    plot.series.push_back({name + "trailing flank", x, scaled(curves.numbers(tooth + "trailing_x_n_per_mm"), 1 / length_mm), {}});
+  }
+  render::write_plot(plot, path);
+}
+
 void plot_stress_strain(const CsvData& curves, bool compression, const std::filesystem::path& path) {
   render::Plot plot;
   const std::vector<double> stress = curves.numbers("axial_stress_mpa");
@@ -82,16 +130,16 @@ void plot_stress_strain(const CsvData& curves, bool compression, const std::file
   render::write_plot(plot, path);
 }
 
-void plot_energy(const CsvData& energy, bool compression, const std::filesystem::path& path) {
+void plot_energy(const CsvData& energy, const Abscissa& abscissa, const std::filesystem::path& path) {
   using render::SeriesKind;
-  const std::vector<double> strain = scaled(energy.numbers("axial_strain"), 100);
+  const std::vector<double> strain = abscissae(energy, abscissa);
   const auto area = [&](const char* label, const char* column) {
     return render::PlotSeries{
         label, strain, energy.numbers(column), {SeriesKind::stacked_area, render::VerticalAxis::left, {}}};
   };
   render::Plot plot;
   plot.title = "Energy account";
-  plot.x_label = strain_label(compression);
+  plot.x_label = abscissa.label;
   plot.y_label = "energy [N mm]";
   plot.series = {area("elastic, particles", "elastic_n_mm"),
                  area("recoverable, contacts", "recoverable_n_mm"),
@@ -106,21 +154,31 @@ void plot_energy(const CsvData& energy, bool compression, const std::filesystem:
   render::write_plot(plot, path);
 }
 
-void plot_cracks(const CsvData& curves, bool compression, const std::filesystem::path& path) {
-  const std::vector<double> strain = scaled(curves.numbers("axial_strain"), 100);
+const char* stress_column(ExperimentType type) {
+  return type == ExperimentType::direct_shear ? "shear_stress_mpa" : "axial_stress_mpa";
+}
+
+const char* stress_label(ExperimentType type) {
+  if (type == ExperimentType::direct_shear) return "shear stress [MPa]";
+  return is_compression(type) ? "σ₁ [MPa]" : "2P/(πDt) [MPa]";
+}
+
+void plot_cracks(const CsvData& curves, ExperimentType type, const std::filesystem::path& path) {
+  const Abscissa abscissa = abscissa_of(type);
+  const std::vector<double> strain = abscissae(curves, abscissa);
   const std::vector<double> tension = curves.numbers("cracks_tension");
   const std::vector<double> shear = curves.numbers("cracks_shear");
   render::Plot plot;
-  plot.title = "Broken contacts against strain";
-  plot.x_label = strain_label(compression);
+  plot.title = type == ExperimentType::direct_shear ? "Broken contacts against displacement" : "Broken contacts against strain";
+  plot.x_label = abscissa.label;
   plot.y_label = "broken contacts";
-  plot.second_y_label = compression ? "σ₁ [MPa]" : "2P/(πDt) [MPa]";
+  plot.second_y_label = stress_label(type);
   plot.series = {{"tension", strain, tension, {}},
                  {"shear", strain, shear, {}},
                  {"all", strain, sum(tension, shear), {}},
                  {"stress",
                   strain,
-                  curves.numbers("axial_stress_mpa"),
+                  curves.numbers(stress_column(type)),
                   {render::SeriesKind::line, render::VerticalAxis::right, {}}}};
   render::write_plot(plot, path);
 }
@@ -168,12 +226,18 @@ bool draw_until_interrupted(const RunFolder& folder, const OutputConfig& output,
                              interruption_requested);
 }
 
-void draw_plots(const RunFolder& folder, ExperimentType type) {
+void draw_plots(const RunFolder& folder, const Model& model) {
   const CsvData curves = read_csv(folder.curves());
-  const bool compression = type != ExperimentType::brazilian;
-  plot_stress_strain(curves, compression, folder.plots() / "stress_strain");
-  plot_energy(read_csv(folder.energy()), compression, folder.plots() / "energy");
-  plot_cracks(curves, compression, folder.plots() / "cracks");
+  const ExperimentType type = model.config.experiment.type;
+  if (type == ExperimentType::direct_shear) {
+    plot_shear(curves, folder.plots() / "shear_stress");
+    const std::size_t teeth = model.joint.gauge.tooth_area_mm2.size();
+    if (teeth > 0) plot_teeth(curves, teeth, model.joint.profile.length(), folder.plots() / "teeth");
+  } else {
+    plot_stress_strain(curves, is_compression(type), folder.plots() / "stress_strain");
+  }
+  plot_energy(read_csv(folder.energy()), abscissa_of(type), folder.plots() / "energy");
+  plot_cracks(curves, type, folder.plots() / "cracks");
 }
 
 }  // namespace asperity::app

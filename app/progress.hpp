@@ -15,6 +15,7 @@ struct ProgressState {
   double stress_mpa = 0;
   std::int64_t cracks = 0;
   std::int64_t steps = 0;
+  std::optional<double> shear_displacement_mm;  ///< Of a joint, in place of the strain.
 };
 
 /// Shows how a run goes on: experiment, %, strain, stress, cracks, steps per second and the time left. Speed and time

@@ -64,20 +64,28 @@ struct Tables {
   render::SeriesWriter series;
 };
 
+CurveLayout curve_layout(const Model& model) {
+  const bool joint = model.config.experiment.type == ExperimentType::direct_shear;
+  return {joint, model.joint.gauge.tooth_area_mm2.size()};
+}
+
 Tables open_tables(const Session& s) {
   const RunFolder& f = s.folder;
+  const CurveLayout layout = curve_layout(s.model);
   const std::size_t rows = s.state.samples.size();
   if (rows == 0) {
-    return {CsvTable::create(f.curves(), curve_columns()), CsvTable::create(f.energy(), energy_columns()),
+    return {CsvTable::create(f.curves(), curve_columns(layout)), CsvTable::create(f.energy(), energy_columns(layout)),
             render::SeriesWriter(f.root())};
   }
-  return {CsvTable::resume(f.curves(), curve_columns(), rows), CsvTable::resume(f.energy(), energy_columns(), rows),
+  return {CsvTable::resume(f.curves(), curve_columns(layout), rows), CsvTable::resume(f.energy(), energy_columns(layout), rows),
           render::SeriesWriter(f.root(), s.state.frames)};
 }
 
-ProgressState progress_state(const RunProgress& p) {
+ProgressState progress_state(const RunProgress& p, const Model& model) {
   const Sample& s = *p.sample;
-  return {p.fraction, s.axial_strain, s.stress_mpa, s.cracks_tension + s.cracks_shear, p.step};
+  ProgressState state{p.fraction, s.axial_strain, s.stress_mpa, s.cracks_tension + s.cracks_shear, p.step, {}};
+  if (model.config.experiment.type == ExperimentType::direct_shear) state.shear_displacement_mm = s.closure_mm;
+  return state;
 }
 
 /// The tables' rows first: a checkpoint on the disk must find there what it says was written.
@@ -91,6 +99,7 @@ void save(Session& s, const Tables& tables) {
 
 void compute(Session& s, const ParallelLoops& loops) {
   Tables tables = open_tables(s);
+  const CurveLayout layout = curve_layout(s.model);
   RunCost& cost = s.state.cost;
   const RunCost before = cost;
   const Stopwatch watch;
@@ -104,15 +113,15 @@ void compute(Session& s, const ParallelLoops& loops) {
   RunObserver observer;
   observer.on_sample = [&](const Sample& sample) {
     const Timed timed(cost.output_s);
-    tables.curves.append(curve_row(sample));
-    tables.energy.append(energy_row(sample));
+    tables.curves.append(curve_row(sample, layout));
+    tables.energy.append(energy_row(sample, layout));
   };
   observer.on_frame = [&](const Frame& frame) {
     const Timed timed(cost.output_s);
     s.folder.require_in_place();
     tables.series.write(frame);
   };
-  observer.on_progress = [&](const RunProgress& p) { progress.update(progress_state(p)); };
+  observer.on_progress = [&](const RunProgress& p) { progress.update(progress_state(p, s.model)); };
   observer.interrupted = [] { return interruption_requested(); };
   observer.checkpoint_due = [&] { return since_checkpoint.seconds() >= s.model.config.output.checkpoint_interval_s; };
   observer.write_checkpoint = [&] {
@@ -121,7 +130,7 @@ void compute(Session& s, const ParallelLoops& loops) {
   };
   run_experiment(s.model, s.state, loops, observer);
   save_with_cost();
-  if (!s.state.samples.empty()) progress.finish(progress_state({1.0, &s.state.samples.back(), s.model.system.step}));
+  if (!s.state.samples.empty()) progress.finish(progress_state({1.0, &s.state.samples.back(), s.model.system.step}, s.model));
 }
 
 void write_crack_tables(const Session& s) {
@@ -180,7 +189,7 @@ bool draw_if_missing(const RunConfig& config, const std::filesystem::path& root,
 /// small run. Returns false where a signal ended the drawing.
 bool draw(Session& s) {
   if (s.model.config.output.frames == 0) return true;
-  draw_plots(s.folder, s.model.config.experiment.type);
+  draw_plots(s.folder, s.model);
   if (!s.options.render) return true;
   const Timed timed(s.manifest.timings_s["render_s"]);
   const OutputConfig& output = s.model.config.output;

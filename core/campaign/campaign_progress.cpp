@@ -9,7 +9,9 @@ namespace asperity {
 double expected_cost(const RunConfig& config) {
   const ExperimentConfig& e = config.experiment;
   const double height = e.type == ExperimentType::brazilian ? e.diameter_mm : e.height_mm;
-  const double duration = e.stop.axial_strain * height / e.loading.closing_rate_mm_per_s;
+  const double duration = e.type == ExperimentType::direct_shear
+                              ? e.stop.shear_displacement_mm / e.loading.shear_rate_mm_per_s
+                              : e.stop.axial_strain * height / e.loading.closing_rate_mm_per_s;
   const double step =
       config.integration.time_step_s.value_or(config.integration.safety_factor * estimated_critical_step(config));
   return estimated_triangles(config) * duration / step;

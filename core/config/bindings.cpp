@@ -50,6 +50,35 @@ json write_modulus_window(const RunConfig& config) {
   return json::array({config.measurement.modulus_window_low, config.measurement.modulus_window_high});
 }
 
+void read_profile(RunConfig& config, const json& value) {
+  config.joint.profile.clear();
+  for (const json& tooth : value) {
+    ToothConfig t;
+    t.angle_deg = tooth.value("angle_deg", t.angle_deg);
+    t.height_mm = tooth.value("height_mm", t.height_mm);
+    t.gap_before_mm = tooth.value("gap_before_mm", t.gap_before_mm);
+    config.joint.profile.push_back(t);
+  }
+}
+json write_profile(const RunConfig& config) {
+  json teeth = json::array();
+  for (const ToothConfig& t : config.joint.profile) {
+    teeth.push_back({{"angle_deg", t.angle_deg}, {"height_mm", t.height_mm}, {"gap_before_mm", t.gap_before_mm}});
+  }
+  return teeth;
+}
+
+void read_points(RunConfig& config, const json& value) {
+  config.joint.points_mm.clear();
+  for (const json& point : value) config.joint.points_mm.push_back({point.at(0).get<double>(), point.at(1).get<double>()});
+}
+json write_points(const RunConfig& config) {
+  if (config.joint.points_mm.empty()) return {};
+  json points = json::array();
+  for (const Vec2 p : config.joint.points_mm) points.push_back(json::array({p.x, p.y}));
+  return points;
+}
+
 const Binding* find_binding(std::string_view pointer) {
   for (const Binding& binding : bindings())
     if (binding.pointer == pointer) return &binding;
@@ -65,6 +94,7 @@ const std::vector<Binding>& bindings() {
   using Loading = LoadingConfig;
   using RateControl = RateControlConfig;
   using Stop = StopConfig;
+  using Joint = JointConfig;
   using Material = MaterialConfig;
   using Particles = ParticleConfig;
   using Contacts = ContactConfig;
@@ -85,6 +115,7 @@ const std::vector<Binding>& bindings() {
       bind<&Run::experiment, &Experiment::diameter_mm>("/experiment/diameter_mm"),
       bind<&Run::experiment, &Experiment::thickness_mm>("/experiment/thickness_mm"),
       bind<&Run::experiment, &Experiment::confining_pressure_mpa>("/experiment/confining_pressure_mpa"),
+      bind<&Run::experiment, &Experiment::normal_stress_mpa>("/experiment/normal_stress_mpa"),
       bind<&Run::experiment, &Experiment::platens, &Platens::shape>("/experiment/platens/shape"),
       bind<&Run::experiment, &Experiment::platens, &Platens::jaw_radius_mm>("/experiment/platens/jaw_radius_mm"),
       bind<&Run::experiment, &Experiment::platens, &Platens::friction_coefficient>(
@@ -94,6 +125,8 @@ const std::vector<Binding>& bindings() {
       bind<&Run::experiment, &Experiment::loading, &Loading::mode>("/experiment/loading/mode"),
       bind<&Run::experiment, &Experiment::loading, &Loading::closing_rate_mm_per_s>(
           "/experiment/loading/closing_rate_mm_per_s"),
+      bind<&Run::experiment, &Experiment::loading, &Loading::shear_rate_mm_per_s>(
+          "/experiment/loading/shear_rate_mm_per_s"),
       bind<&Run::experiment, &Experiment::loading, &Loading::ramp_time_s>("/experiment/loading/ramp_time_s"),
       bind<&Run::experiment, &Experiment::loading, &Loading::stage_displacement_mm>(
           "/experiment/loading/stage_displacement_mm"),
@@ -113,8 +146,18 @@ const std::vector<Binding>& bindings() {
       bind<&Run::experiment, &Experiment::loading, &Loading::elastic_start_fraction>(
           "/experiment/loading/elastic_start_fraction"),
       bind<&Run::experiment, &Experiment::stop, &Stop::axial_strain>("/experiment/stop/axial_strain"),
+      bind<&Run::experiment, &Experiment::stop, &Stop::shear_displacement_mm>("/experiment/stop/shear_displacement_mm"),
       bind<&Run::experiment, &Experiment::stop, &Stop::fraction_of_peak>("/experiment/stop/fraction_of_peak"),
       bind<&Run::experiment, &Experiment::stop, &Stop::time_s>("/experiment/stop/time_s"),
+      {"/joint/profile", read_profile, write_profile},
+      bind<&Run::joint, &Joint::end_gap_mm>("/joint/end_gap_mm"),
+      {"/joint/points_mm", read_points, write_points},
+      bind<&Run::joint, &Joint::lower_height_mm>("/joint/lower_height_mm"),
+      bind<&Run::joint, &Joint::upper_height_mm>("/joint/upper_height_mm"),
+      bind<&Run::joint, &Joint::damage_depth_lower_mm>("/joint/damage_depth_lower_mm"),
+      bind<&Run::joint, &Joint::damage_depth_upper_mm>("/joint/damage_depth_upper_mm"),
+      bind<&Run::joint, &Joint::coarse_edge_mm>("/joint/coarse_edge_mm"),
+      bind<&Run::joint, &Joint::breakable>("/joint/breakable"),
       bind<&Run::material, &Material::youngs_modulus_gpa>("/material/youngs_modulus_gpa"),
       bind<&Run::material, &Material::poissons_ratio>("/material/poissons_ratio"),
       bind<&Run::material, &Material::mode_i_toughness_mpa_sqrt_m>("/material/mode_i_toughness_mpa_sqrt_m"),

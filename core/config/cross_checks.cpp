@@ -18,6 +18,12 @@ namespace {
 constexpr std::string_view kType = "/experiment/type";
 constexpr std::string_view kPlane = "/experiment/plane";
 constexpr std::string_view kConfiningPressure = "/experiment/confining_pressure_mpa";
+constexpr std::string_view kNormalStress = "/experiment/normal_stress_mpa";
+constexpr std::string_view kProfile = "/joint/profile";
+constexpr std::string_view kPoints = "/joint/points_mm";
+constexpr std::string_view kDamageDepth = "/joint/damage_depth_lower_mm";
+constexpr std::string_view kCoarseEdge = "/joint/coarse_edge_mm";
+constexpr std::string_view kLowerHeight = "/joint/lower_height_mm";
 constexpr std::string_view kWidth = "/experiment/width_mm";
 constexpr std::string_view kHeight = "/experiment/height_mm";
 constexpr std::string_view kDiameter = "/experiment/diameter_mm";
@@ -57,13 +63,40 @@ Fault fault_at(const RunConfig& config, std::string_view pointer, std::string wh
   return {std::string(pointer), std::move(what), value_text(config, pointer), std::move(allowed), std::move(hint)};
 }
 
-bool is_compression(const RunConfig& config) { return config.experiment.type != ExperimentType::brazilian; }
+bool is_compression(const RunConfig& config) { return is_compression(config.experiment.type); }
+bool is_shear(const RunConfig& config) { return config.experiment.type == ExperimentType::direct_shear; }
 
 Result triaxial_without_pressure(const RunConfig& config) {
   const ExperimentConfig& e = config.experiment;
   if (e.type != ExperimentType::triaxial || e.confining_pressure_mpa > 0.0) return {};
   return fault_at(config, kConfiningPressure, "a triaxial test needs a confining pressure", "above 0 MPa",
                   "set it, or set /experiment/type to \"uniaxial\"");
+}
+
+Result shear_without_normal_stress(const RunConfig& config) {
+  if (!is_shear(config) || config.experiment.normal_stress_mpa > 0.0) return {};
+  return fault_at(config, kNormalStress, "a direct shear test needs a normal stress", "above 0 MPa", "set it");
+}
+
+Result profile_given_twice(const RunConfig& config) {
+  const JointConfig& joint = config.joint;
+  if (!is_shear(config) || joint.points_mm.empty() || joint.profile == JointConfig().profile) return {};
+  return fault_at(config, kProfile, "is given beside /joint/points_mm", "one of the two", "remove one of them");
+}
+
+Result damage_zone_without_coarse_part(const RunConfig& config) {
+  const JointConfig& j = config.joint;
+  if (!is_shear(config) || j.damage_depth_lower_mm + j.coarse_edge_mm < j.lower_height_mm) return {};
+  return fault_at(config, kDamageDepth, "leaves no elastic part below",
+                  "below lower_height_mm less coarse_edge_mm, " + rounded(j.lower_height_mm - j.coarse_edge_mm) + " mm",
+                  "make the lower half higher, or the zone less deep");
+}
+
+Result edges_not_graded(const RunConfig& config) {
+  if (!is_shear(config) || config.joint.coarse_edge_mm >= config.particles.edge_mm) return {};
+  return fault_at(config, kCoarseEdge, "is shorter than the particles' edges",
+                  "at least /particles/edge_mm, " + number_text(config.particles.edge_mm) + " mm",
+                  "lengthen it, or shorten /particles/edge_mm");
 }
 
 Result edge_too_long(const RunConfig& config) {
@@ -190,6 +223,10 @@ Result lateral_gauge_too_long(const RunConfig& config) {
 const std::vector<Check>& checks() {
   static const std::vector<Check> table{
       {{kType, kConfiningPressure}, triaxial_without_pressure},
+      {{kType, kNormalStress}, shear_without_normal_stress},
+      {{kType, kProfile, kPoints}, profile_given_twice},
+      {{kType, kDamageDepth, kCoarseEdge, kLowerHeight}, damage_zone_without_coarse_part},
+      {{kType, kCoarseEdge, kEdge}, edges_not_graded},
       {{kType, kWidth, kHeight, kDiameter, kEdge}, edge_too_long},
       {{kType, kWidth, kHeight, kDiameter, kEdge}, too_many_triangles},
       {{kEdge, kEdgeDeviation}, edges_scatter_too_much},

@@ -12,9 +12,10 @@ namespace asperity {
 template <class Enum, std::size_t N>
 using EnumWords = std::array<std::pair<Enum, std::string_view>, N>;
 
-constexpr EnumWords<ExperimentType, 3> words_of(ExperimentType) {
+constexpr EnumWords<ExperimentType, 4> words_of(ExperimentType) {
   using enum ExperimentType;
-  return {{{uniaxial, "uniaxial"}, {triaxial, "triaxial"}, {brazilian, "brazilian"}}};
+  return {
+      {{uniaxial, "uniaxial"}, {triaxial, "triaxial"}, {brazilian, "brazilian"}, {direct_shear, "direct_shear"}}};
 }
 constexpr EnumWords<PlaneCondition, 2> words_of(PlaneCondition) {
   return {{{PlaneCondition::stress, "stress"}, {PlaneCondition::strain, "strain"}}};

@@ -76,16 +76,42 @@ double estimated_critical_step(const RunConfig& config) {
   return std::max(scaled, config.integration.mass_scaling_time_step_s.value_or(0.0));
 }
 
+namespace {
+
+double joint_length(const JointConfig& joint) {
+  if (!joint.points_mm.empty()) return joint.points_mm.back().x - joint.points_mm.front().x;
+  double length = joint.end_gap_mm;
+  for (const ToothConfig& t : joint.profile) {
+    length += t.gap_before_mm + 2.0 * t.height_mm / std::tan(t.angle_deg * units::kRadPerDeg);
+  }
+  return length;
+}
+
+/// Area of the particles' zones, the teeth's taken as full boxes, mm2.
+double joint_zone_area(const JointConfig& joint) {
+  double highest = 0.0;
+  for (const ToothConfig& t : joint.profile) highest = std::max(highest, t.height_mm);
+  return joint_length(joint) * (highest + joint.damage_depth_lower_mm + joint.damage_depth_upper_mm);
+}
+
+}  // namespace
+
 double estimated_triangles(const RunConfig& config) {
   const ExperimentConfig& e = config.experiment;
   const double disc = 0.25 * std::numbers::pi * e.diameter_mm * e.diameter_mm;
-  const double area = e.type == ExperimentType::brazilian ? disc : e.width_mm * e.height_mm;
+  const double area = e.type == ExperimentType::brazilian      ? disc
+                      : e.type == ExperimentType::direct_shear ? joint_zone_area(config.joint)
+                                                               : e.width_mm * e.height_mm;
   return area / (0.25 * kSqrt3 * config.particles.edge_mm * config.particles.edge_mm);
 }
 
 double smallest_dimension(const RunConfig& config) {
   const ExperimentConfig& e = config.experiment;
-  return e.type == ExperimentType::brazilian ? e.diameter_mm : std::min(e.width_mm, e.height_mm);
+  if (e.type == ExperimentType::brazilian) return e.diameter_mm;
+  if (e.type == ExperimentType::direct_shear) {
+    return std::min({joint_length(config.joint), config.joint.lower_height_mm, config.joint.upper_height_mm});
+  }
+  return std::min(e.width_mm, e.height_mm);
 }
 
 }  // namespace asperity

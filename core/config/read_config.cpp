@@ -12,6 +12,7 @@
 #include "core/config/cross_checks.hpp"
 #include "core/config/json_text.hpp"
 #include "core/config/overrides.hpp"
+#include "core/config/profile_csv.hpp"
 #include "core/config/schema_faults.hpp"
 #include "core/config/schema_lookup.hpp"
 
@@ -67,8 +68,8 @@ RunConfig fill(const json& document, const std::string& origin, const KeyNotes& 
     if (notes.given.contains(pointer) && !is_faulty(pointer, notes))
       binding.read(config, document.at(json::json_pointer(pointer)));
   }
-  const bool compression = config.experiment.type != ExperimentType::brazilian;
-  if (compression && !notes.given.contains("/experiment/plane")) config.experiment.plane = PlaneCondition::strain;
+  const bool strain = config.experiment.type != ExperimentType::brazilian;
+  if (strain && !notes.given.contains("/experiment/plane")) config.experiment.plane = PlaneCondition::strain;
   return config;
 }
 
@@ -110,6 +111,7 @@ RunConfig parse_run_config(const std::string& text, const std::string& origin,
   append_new(faults, apply_overrides(document, schema, overrides));
   if (!checkable) throw Error(ErrorKind::config, std::move(faults));
   append_new(faults, schema_faults(document, schema));
+  append_new(faults, take_in_profile(document, std::filesystem::path(origin).parent_path()));
   const KeyNotes notes = notes_of(document, faults);
   const RunConfig config = fill(document, origin, notes);
   append_new(faults, cross_check(config, notes));

@@ -11,6 +11,9 @@
 namespace asperity {
 
 enum class ExperimentType { uniaxial, triaxial, brazilian, direct_shear };
+inline bool is_compression(ExperimentType type) {
+  return type == ExperimentType::uniaxial || type == ExperimentType::triaxial;
+}
 enum class PlaneCondition { stress, strain };
 enum class PlatenShape { flat, curved };
 enum class ParticleKind { triangle, voronoi };

@@ -89,6 +89,15 @@ void exchange_general(Archive& archive, General& general) {
   archive(general.largest_depth_handing_over);
 }
 
+template <class Archive, class Block>
+void exchange_block(Archive& archive, Block& block) {
+  archive(block.load);
+  archive(block.velocity);
+  archive(block.last_velocity);
+  archive(block.reaction);
+  archive(block.displacement);
+}
+
 /// Everything that changes while a test runs, in one order for writing and reading.
 template <class Archive, class SystemType, class StateType>
 void exchange(Archive& archive, SystemType& system, StateType& state) {
@@ -100,6 +109,7 @@ void exchange(Archive& archive, SystemType& system, StateType& state) {
   archive(system.platen_friction_energy);
   archive(system.sums);
   archive(system.platens);
+  for (auto& block : system.blocks) exchange_block(archive, block);
   archive(system.flank.pressure);
   archive(system.flank.edges);
   archive(system.platen_shear);

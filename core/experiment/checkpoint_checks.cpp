@@ -46,7 +46,8 @@ bool platens_hold(const Platens& read, const Platens& fresh, double height) {
 }
 
 bool sums_hold(const NodeSums& s) {
-  return all_finite({s.reaction[0], s.reaction[1], s.work_before, s.work_after, s.damping, s.platen_friction,
+  return all_finite({s.on_blocks[0].x, s.on_blocks[0].y, s.on_blocks[1].x, s.on_blocks[1].y, s.reaction[0],
+                     s.reaction[1], s.work_before, s.work_after, s.damping, s.platen_friction,
                      s.platen_energy, s.kinetic, s.fastest});
 }
 
@@ -55,6 +56,11 @@ bool motion_holds(const System& read) {
          all_finite({read.initial_kinetic, read.external_work, read.damping_energy, read.platen_friction_energy}) &&
          sums_hold(read.sums) && all_within(read.particles.position, kFarthestPiece) &&
          all_within(read.particles.velocity, std::numeric_limits<double>::max());
+}
+
+bool block_holds(const RigidBlock& b) {
+  return all_finite({b.load, b.velocity.x, b.velocity.y, b.last_velocity.x, b.last_velocity.y, b.reaction.x,
+                     b.reaction.y, b.displacement.x, b.displacement.y});
 }
 
 bool flank_holds(const FlankPressure& read, const FlankPressure& fresh, std::size_t nodes) {
@@ -160,10 +166,11 @@ bool elastic_start_holds(const ElasticStart& start) {
 }
 
 bool program_holds(const LoadingState& loading, const Model& fresh, double now) {
-  const double most = kFarthestPlaten * specimen_height(fresh.config.experiment);
+  const double most = kFarthestPlaten * specimen_length(fresh.config);
   const bool phase_holds =
       loading.phase >= LoadingPhase::confining && loading.phase <= LoadingPhase::elastic_start &&
-      (loading.phase != LoadingPhase::confining || !fresh.system.flank.outline.empty()) &&
+      (loading.phase != LoadingPhase::confining || !fresh.system.flank.outline.empty() ||
+       !fresh.system.blocks.empty()) &&
       (loading.phase != LoadingPhase::elastic_start || fresh.config.experiment.loading.elastic_start_fraction > 0.0);
   return phase_holds && all_finite({loading.phase_start_s, loading.zero_gauges.axial, loading.zero_gauges.lateral}) &&
          within(loading.phase_start_closure_mm, -most, most) && within(loading.zero_distance_mm, 0.0, most) &&
@@ -187,9 +194,10 @@ bool progress_holds(const RunState& state, std::int64_t steps) {
 
 std::string contradiction(const Model& fresh, const System& read, const RunState& state) {
   if (!same_sizes(read, fresh.system)) return "belongs to another mesh";
-  if (!platens_hold(read.platens, fresh.system.platens, specimen_height(fresh.config.experiment)))
+  if (!platens_hold(read.platens, fresh.system.platens, specimen_length(fresh.config)))
     return "holds no state of the platens";
   if (!motion_holds(read)) return "holds no state of motion";
+  if (!std::all_of(read.blocks.begin(), read.blocks.end(), block_holds)) return "holds no state of the rigid blocks";
   if (!flank_holds(read.flank, fresh.system.flank, read.particles.node_count()))
     return "holds no state of the confining pressure";
   if (!contacts_hold(read.contacts, read.time)) return "holds no state of the bonded contacts";

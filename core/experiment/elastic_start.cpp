@@ -195,7 +195,7 @@ ElasticStart solve_elastic_start(Model& model, const ParallelLoops& loops, const
   constexpr double kPassed = 1.01;
   System& system = model.system;
   const LoadingConfig& loading = model.config.experiment.loading;
-  const double height = specimen_height(model.config.experiment);
+  const double height = specimen_length(model.config);
   const double wanted = loading.elastic_start_fraction;
   const FreeMotions free{system.platens.jaw.radius == 0.0, model.config.experiment.type == ExperimentType::brazilian};
   ElasticStart result;

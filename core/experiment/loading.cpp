@@ -14,7 +14,7 @@ void set_closing_rate(Platens& platens, double rate) { platens.velocity = {0.5 *
 /// Adds the linear field that joins the two platens' velocities, Eq. (E1), and books its kinetic energy as work.
 void add_linear_velocity_field(Model& model, double rate) {
   Particles& p = model.system.particles;
-  const double height = specimen_height(model.config.experiment);
+  const double height = specimen_length(model.config);
   for (std::size_t i = 0; i < p.node_count(); ++i) {
     const Vec2 before = p.velocity[i];
     p.velocity[i].y += rate * (0.5 - p.reference(i).y / height);
@@ -27,8 +27,7 @@ void add_linear_velocity_field(Model& model, double rate) {
 void set_moving(Model& model, LoadingState& state) {
   state.phase = LoadingPhase::moving;
   state.phase_start_s = model.system.time;
-  const bool compression = model.config.experiment.type != ExperimentType::brazilian;
-  if (compression && model.config.experiment.loading.mode == LoadingMode::continuous) {
+  if (is_compression(model.config.experiment.type) && model.config.experiment.loading.mode == LoadingMode::continuous) {
     add_linear_velocity_field(model, model.config.experiment.loading.closing_rate_mm_per_s);
   }
 }
@@ -65,6 +64,30 @@ void confine(Model& model, LoadingState& state, double kinetic_ratio) {
   set_closing_rate(system.platens, e.height_mm / modulus * (target - present) / response_time);
 }
 
+/// First stage of direct shear, Eq. (E10): the normal load ramps up and is kept until the joint is at rest under it.
+void press(Model& model, LoadingState& state, double kinetic_ratio) {
+  const ExperimentConfig& e = model.config.experiment;
+  RigidBlock& upper = model.system.blocks[kUpperBlock];
+  const double elapsed = model.system.time - state.phase_start_s;
+  const double full = e.normal_stress_mpa * model.joint.profile.length();
+  upper.load = -full * std::min(1.0, elapsed / e.loading.confinement_time_s);
+  const bool settled =
+      kinetic_ratio < e.loading.hold_kinetic_ratio && std::abs(upper.reaction.y - full) < 1e-3 * full;
+  if ((elapsed > e.loading.confinement_time_s && settled) || elapsed > 4.0 * e.loading.confinement_time_s) {
+    state.phase = LoadingPhase::moving;
+    state.phase_start_s = model.system.time;
+    state.zero_dilation = read_dilation(model.joint.gauge, model.system);
+  }
+}
+
+/// The lower half at the shear rate, Eq. (E11).
+void shear(Model& model, LoadingState& state) {
+  const LoadingConfig& loading = model.config.experiment.loading;
+  const double elapsed = model.system.time - state.phase_start_s;
+  const double ramp = loading.ramp_time_s > 0.0 ? std::min(1.0, elapsed / loading.ramp_time_s) : 1.0;
+  model.system.blocks[kLowerBlock].velocity = {ramp * loading.shear_rate_mm_per_s, 0.0};
+}
+
 void move(Model& model, LoadingState& state) {
   const LoadingConfig& loading = model.config.experiment.loading;
   const double moved = closure(model, state) - state.phase_start_closure_mm;
@@ -95,13 +118,17 @@ void hold(Model& model, LoadingState& state, double kinetic_ratio) {
 }  // namespace
 
 double closure(const Model& model, const LoadingState& state) {
+  if (model.config.experiment.type == ExperimentType::direct_shear) {
+    return model.system.blocks[kLowerBlock].displacement.x;
+  }
   return state.zero_distance_mm - (model.system.platens.y[1] - model.system.platens.y[0]);
 }
 
 LoadingState start_loading(Model& model) {
   LoadingState state;
   state.zero_distance_mm = model.system.platens.y[1] - model.system.platens.y[0];
-  if (model.config.experiment.confining_pressure_mpa > 0.0) {
+  const bool sheared = model.config.experiment.type == ExperimentType::direct_shear;
+  if (sheared || model.config.experiment.confining_pressure_mpa > 0.0) {
     state.phase = LoadingPhase::confining;
   } else {
     start_moving(model, state);
@@ -119,6 +146,9 @@ void start_elastically(Model& model, LoadingState& state, const ParallelLoops& l
 }
 
 void drive(Model& model, LoadingState& state, double kinetic_ratio) {
+  if (model.config.experiment.type == ExperimentType::direct_shear) {
+    return state.phase == LoadingPhase::confining ? press(model, state, kinetic_ratio) : shear(model, state);
+  }
   switch (state.phase) {
     case LoadingPhase::confining:
       return confine(model, state, kinetic_ratio);

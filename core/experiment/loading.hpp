@@ -15,6 +15,7 @@ struct LoadingState {
   double phase_start_closure_mm = 0;
   double zero_distance_mm = 0;  ///< Platen distance at zero closure (start, or after the hydrostatic stage).
   GaugeReading zero_gauges;
+  DilationReading zero_dilation;  ///< Direct shear: under the normal load alone.
   int stages = 0;  ///< Staged: stages finished.
   RateControlState rate_control;
   ElasticStart elastic_start;
@@ -33,7 +34,7 @@ void drive(Model& model, LoadingState& state, double kinetic_ratio);
 void start_elastically(Model& model, LoadingState& state, const ParallelLoops& loops,
                        const std::function<bool()>& on_equilibrium);
 
-/// Approach of the platens since the zero, mm.
+/// Approach of the platens since the zero, or the shear displacement, mm.
 double closure(const Model& model, const LoadingState& state);
 
 }  // namespace asperity

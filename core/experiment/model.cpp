@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <thread>
@@ -13,8 +14,6 @@
 
 namespace asperity {
 namespace {
-
-bool is_compression(const ExperimentConfig& experiment) { return experiment.type != ExperimentType::brazilian; }
 
 /// Node of the triangle to the left of a boundary edge that sits on the given vertex.
 int node_of(const Particles& p, int triangle, int vertex) {
@@ -47,7 +46,7 @@ JawFace make_jaw(const ExperimentConfig& experiment) {
 Platens make_platens(const RunConfig& config) {
   Platens platens;
   platens.present = true;
-  platens.y = {0.0, specimen_height(config.experiment)};
+  platens.y = {0.0, specimen_length(config)};
   platens.friction = config.experiment.platens.friction_coefficient;
   platens.jaw = make_jaw(config.experiment);
   return platens;
@@ -100,28 +99,51 @@ void choose_time_step(Model& model, const ParallelLoops& loops) {
 
 }  // namespace
 
-double specimen_height(const ExperimentConfig& experiment) {
-  return is_compression(experiment) ? experiment.height_mm : experiment.diameter_mm;
+double specimen_length(const RunConfig& config) {
+  switch (config.experiment.type) {
+    case ExperimentType::brazilian:
+      return config.experiment.diameter_mm;
+    case ExperimentType::direct_shear:
+      return joint_profile(config.joint).length();
+    default:
+      return config.experiment.height_mm;
+  }
+}
+
+double stop_strain(const RunConfig& config) {
+  const StopConfig& stop = config.experiment.stop;
+  const bool shear = config.experiment.type == ExperimentType::direct_shear;
+  return shear ? stop.shear_displacement_mm / specimen_length(config) : stop.axial_strain;
+}
+
+double peak_limit(const RunConfig& config) {
+  const bool shear = config.experiment.type == ExperimentType::direct_shear;
+  return shear ? std::numeric_limits<double>::infinity() : config.measurement.peak_strain_limit;
 }
 
 Model build_model(const RunConfig& config, const ParallelLoops& loops) {
   Model model;
   model.config = config;
   const LawParameters law = law_parameters(config);
-  model.mesh = make_mesh(config.experiment, config.particles);
+  const bool shear = config.experiment.type == ExperimentType::direct_shear;
+  std::vector<JointZone> zones;
+  model.mesh = shear ? joint_mesh(config, zones) : make_mesh(config.experiment, config.particles);
   System& system = model.system;
   system.particles = make_particles(model.mesh, config.particles, config.experiment.plane);
+  if (shear) model.joint = make_joint(config, model.mesh, zones, system);
   system.contacts = make_contacts(model.mesh, system.particles, law, config.contacts.law.reading);
   system.general = make_general_contacts(system.particles, general_contact_law(config.contacts, law));
   if (config.contacts.general.enabled) system.contacts.hand_over_range = kHandOverRange;
-  system.platens = make_platens(config);
-  system.platen_springs = make_platen_springs(config, model.mesh, system.particles, law.k_t);
+  if (!shear) {
+    system.platens = make_platens(config);
+    system.platen_springs = make_platen_springs(config, model.mesh, system.particles, law.k_t);
+  }
   if (system.platens.friction > 0.0) system.platen_shear.assign(system.particles.node_count(), 0.0);
   system.local_damping = config.integration.local_damping;
-  if (is_compression(config.experiment)) {
+  if (is_compression(config.experiment.type)) {
     system.flank = find_flanks(model.mesh, system.particles);
     model.gauges = make_gauges(system.particles, config.experiment, config.measurement, config.particles.edge_mm);
-  } else {
+  } else if (!shear) {
     model.disc = make_disc_gauge(system.contacts, system.particles, config.experiment.diameter_mm);
   }
   prepare(system);

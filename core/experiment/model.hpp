@@ -1,6 +1,7 @@
 #pragma once
 #include "core/base/parallel.hpp"
 #include "core/config/run_config.hpp"
+#include "core/experiment/joint.hpp"
 #include "core/geometry/mesh.hpp"
 #include "core/integrator/system.hpp"
 #include "core/measurement/disc_gauge.hpp"
@@ -15,6 +16,7 @@ struct Model {
   System system;
   Gauges gauges;  ///< Of compression.
   DiscGauge disc;
+  Joint joint;    ///< Of direct shear.
   double critical_time_step = 0;  ///< s, by power iteration (after mass scaling).
   double added_mass_fraction = 0;
 };
@@ -23,8 +25,15 @@ struct Model {
 /// step exceeds the stable one, with both figures.
 Model build_model(const RunConfig& config, const ParallelLoops& loops);
 
-/// Height of a compression specimen or diameter of a disc, mm.
-double specimen_height(const ExperimentConfig& experiment);
+/// What a test's displacement is divided by to give its strain, mm: the height of a compression specimen, the diameter
+/// of a disc, the length of a joint.
+double specimen_length(const RunConfig& config);
+
+/// Strain at which a test ends: displacement over specimen_length().
+double stop_strain(const RunConfig& config);
+
+/// Strain up to which its peak is looked for.
+double peak_limit(const RunConfig& config);
 
 /// 1 thread for small meshes, all cores from 20,000 triangles on.
 int default_threads(std::size_t triangles);

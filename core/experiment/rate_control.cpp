@@ -16,7 +16,7 @@ constexpr double kFastestGrowth = 0.25;  // per transit: an acceleration the spe
 constexpr double kNearSoftening = 0.9;   // of the separation at which a contact softens
 constexpr double kFastestDecline = 2.0;  // per transit
 
-bool is_compression(const Model& model) { return model.config.experiment.type != ExperimentType::brazilian; }
+bool is_compression(const Model& model) { return is_compression(model.config.experiment.type); }
 
 /// Whether cracks run or are about to: a contact point came near softening within the last transit.
 bool cracks_run(const Model& model, RateControlState& state, const ParallelLoops& loops) {
@@ -39,7 +39,7 @@ double transit_time(const Model& model) {
   const double modulus = closed_forms::effective_modulus(c.youngs_modulus_gpa * units::kMpaPerGpa, c.poissons_ratio,
                                                          model.config.experiment.plane);
   const double density = c.density_kg_per_m3 * units::kTonnePerMm3PerKgPerM3 * (1.0 + model.added_mass_fraction);
-  return specimen_height(model.config.experiment) * std::sqrt(density / modulus);
+  return specimen_length(model.config) * std::sqrt(density / modulus);
 }
 
 double relative_kinetic_energy(const Model& model, const ParallelLoops& loops) {

@@ -16,13 +16,41 @@ constexpr int kSamplesBelow = 5;               // one noisy sample must not end 
 
 bool staged(const Model& model) { return model.config.experiment.loading.mode == LoadingMode::staged; }
 
+void count(const Model& model, Sample& s, const ParallelLoops& loops) {
+  const CrackCounts cracks = count_cracks(model.system.contacts, loops);
+  s.cracks_tension = cracks.tension;
+  s.cracks_shear = cracks.shear;
+  s.contacts_softening = cracks.softening;
+}
+
+/// Direct shear, Eqs. (M30)-(M33): the stresses are means over the sample's steps of the forces on the upper block.
+void measure_shear(const Model& model, const RunState& state, Sample& s) {
+  const double length = model.joint.profile.length(), thickness = model.config.experiment.thickness_mm;
+  const double steps = static_cast<double>(std::max<std::int64_t>(1, state.steps_in_sample));
+  const Vec2 on_lower = (1.0 / steps) * state.reaction_sum.on_blocks[kLowerBlock];
+  const Vec2 on_upper = (1.0 / steps) * state.reaction_sum.on_blocks[kUpperBlock];
+  s.load_n_per_mm = on_upper.x;
+  s.stress_mpa = on_upper.x / length;
+  s.reaction_bottom_n = -on_lower.x * thickness;
+  s.reaction_top_n = on_upper.x * thickness;
+  s.joint = read_joint(model.joint.gauge, model.system);
+  s.joint.normal_stress_mpa = on_upper.y / length;
+  s.joint.dilation -= state.loading.zero_dilation;
+}
+
 Sample measure(const Model& model, const RunState& state, const ParallelLoops& loops) {
   const ExperimentConfig& e = model.config.experiment;
   const System& system = model.system;
   Sample s;
   s.time_s = system.time;
   s.closure_mm = closure(model, state.loading);
-  s.axial_strain = s.closure_mm / specimen_height(e);
+  s.axial_strain = s.closure_mm / specimen_length(model.config);
+  s.energy = energy_balance(system, loops).times(e.thickness_mm);
+  count(model, s, loops);
+  if (e.type == ExperimentType::direct_shear) {
+    measure_shear(model, state, s);
+    return s;
+  }
   const GaugeReading gauges = read_gauges(model.gauges, system.particles);
   s.gauge_axial_strain = gauges.axial - state.loading.zero_gauges.axial;
   s.lateral_strain = gauges.lateral - state.loading.zero_gauges.lateral;
@@ -37,11 +65,6 @@ Sample measure(const Model& model, const RunState& state, const ParallelLoops& l
                                                      : s.load_n_per_mm / e.width_mm;
   s.confining_pressure_mpa = system.flank.pressure;
   s.disc = read_disc_gauge(model.disc, system);
-  const CrackCounts cracks = count_cracks(system.contacts, loops);
-  s.cracks_tension = cracks.tension;
-  s.cracks_shear = cracks.shear;
-  s.contacts_softening = cracks.softening;
-  s.energy = energy_balance(system, loops).times(e.thickness_mm);
   return s;
 }
 
@@ -54,7 +77,7 @@ double kinetic_ratio(const EnergyBalance& energy) {
 StopReason stop_reason(const Model& model, RunState& state) {
   const StopConfig& stop = model.config.experiment.stop;
   const Sample& last = state.samples.back();
-  if (last.axial_strain >= stop.axial_strain) return StopReason::strain;
+  if (last.axial_strain >= stop_strain(model.config)) return StopReason::strain;
   if (stop.time_s && last.time_s >= *stop.time_s) return StopReason::time;
   if (stop.fraction_of_peak && last.cracks_tension + last.cracks_shear > 0) {
     double peak = 0.0;
@@ -74,7 +97,7 @@ bool sample_due(const Model& model, const RunState& state, std::int64_t interval
   if (staged(model)) return state.loading.stages > state.stages_sampled;
   if (!rate_controlled(model)) return state.steps_in_sample >= interval;
   const ExperimentConfig& e = model.config.experiment;
-  const double spacing = e.stop.axial_strain * specimen_height(e) / model.config.measurement.samples;
+  const double spacing = e.stop.axial_strain * specimen_length(model.config) / model.config.measurement.samples;
   const double last = state.samples.back().closure_mm;
   return std::floor(closure(model, state.loading) / spacing) > std::floor(last / spacing);
 }
@@ -90,14 +113,14 @@ void take_sample(Model& model, RunState& state, const ParallelLoops& loops, cons
   state.stop = stop_reason(model, state);
   if (observer.on_sample) observer.on_sample(sample);
   if (observer.on_progress) {
-    observer.on_progress({sample.axial_strain / model.config.experiment.stop.axial_strain, &sample, model.system.step});
+    observer.on_progress({sample.axial_strain / stop_strain(model.config), &sample, model.system.step});
   }
 }
 
 void take_frame(const Model& model, RunState& state, const RunObserver& observer) {
   if (observer.on_frame) observer.on_frame(capture_frame(model.system, model.config, state.samples, state.frames));
   ++state.frames;
-  const double interval = model.config.experiment.stop.axial_strain / std::max(1, model.config.output.frames - 1);
+  const double interval = stop_strain(model.config) / std::max(1, model.config.output.frames - 1);
   while (state.next_frame_strain <= state.samples.back().axial_strain) state.next_frame_strain += interval;
 }
 
@@ -156,7 +179,9 @@ RunState start_run(Model& model) {
 
 std::int64_t steps_per_sample(const Model& model) {
   const ExperimentConfig& e = model.config.experiment;
-  const double duration = e.stop.axial_strain * specimen_height(e) / e.loading.closing_rate_mm_per_s;
+  const double rate = e.type == ExperimentType::direct_shear ? e.loading.shear_rate_mm_per_s
+                                                             : e.loading.closing_rate_mm_per_s;
+  const double duration = stop_strain(model.config) * specimen_length(model.config) / rate;
   return std::max<std::int64_t>(1, std::llround(duration / model.system.time_step / model.config.measurement.samples));
 }
 
@@ -174,7 +199,10 @@ void run_experiment(Model& model, RunState& state, const ParallelLoops& loops, c
     update_velocities(system, loops);
     if (!confining) {  // the first sample shows the end of the hydrostatic stage
       ++state.steps_in_sample;
-      for (int i = 0; i < 2; ++i) state.reaction_sum.reaction[i] += system.sums.reaction[i];
+      for (int i = 0; i < 2; ++i) {
+        state.reaction_sum.reaction[i] += system.sums.reaction[i];
+        state.reaction_sum.on_blocks[i] += system.sums.on_blocks[i];
+      }
     }
     watch(model, state, loops);
     if (sample_due(model, state, interval)) sample_and_frame(model, state, loops, observer);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/experiment/failure_entries.hpp"
+#include "core/experiment/joint_results.hpp"
 #include "core/measurement/capture.hpp"
 #include "core/measurement/crack_network.hpp"
 #include "core/measurement/fragments.hpp"
@@ -19,7 +20,8 @@ using Json = nlohmann::ordered_json;
 constexpr double kClosureLimit = 1e-3;
 constexpr double kKineticLimit = 0.02;
 
-bool compression(const Model& model) { return model.config.experiment.type != ExperimentType::brazilian; }
+bool compression(const Model& model) { return is_compression(model.config.experiment.type); }
+bool sheared(const Model& model) { return model.config.experiment.type == ExperimentType::direct_shear; }
 
 Json experiment_entries(const Model& model, const RunState& state) {
   const ExperimentConfig& e = model.config.experiment;
@@ -29,6 +31,10 @@ Json experiment_entries(const Model& model, const RunState& state) {
   if (compression(model)) {
     j["width_mm"] = e.width_mm;
     j["height_mm"] = e.height_mm;
+  } else if (sheared(model)) {
+    j["joint_length_mm"] = model.joint.profile.length();
+    j["teeth"] = model.joint.profile.teeth.size();
+    j["breakable"] = model.config.joint.breakable;
   } else {
     j["diameter_mm"] = e.diameter_mm;
   }
@@ -70,6 +76,11 @@ Json brazilian_results(const Model& model, const RunState& state, const Peak& pe
           {"centre_tension_at_peak_mpa", s.disc.centre_tension_mpa},
           {"centre_compression_at_peak_mpa", s.disc.centre_compression_mpa},
           {"contact_half_angle_at_peak_deg", s.disc.contact_half_angle_deg}};
+}
+
+Json results_of(const Model& model, const RunState& state, const Peak& peak) {
+  if (sheared(model)) return joint_results(model, state, peak);
+  return compression(model) ? compression_results(model, state, peak) : brazilian_results(model, state, peak);
 }
 
 Json energy_entries(const EnergyBalance& e) {
@@ -132,7 +143,7 @@ std::vector<std::string> find_warnings(const Model& model, const RunState& state
                                    100.0 * relative_closure_error(e), 100.0 * kClosureLimit));
   }
   if (peak.at_end) {
-    warnings.push_back(fmt::format(
+    warnings.push_back(sheared(model) ? "no peak was passed: the largest shear stress stands at the end" : fmt::format(
         "no peak was passed: the largest stress stands at the end of the range searched (axial strain {:.4g}); "
         "the strength is a lower bound",
         peak.axial_strain));
@@ -174,15 +185,14 @@ std::string describe(StopReason reason) {
 }
 
 Summary summarise(const Model& model, const RunState& state) {
-  const Peak peak = find_peak(state.samples, model.config.measurement.peak_strain_limit);
+  const Peak peak = find_peak(state.samples, peak_limit(model.config));
   Summary summary;
   summary.experiment = experiment_entries(model, state);
-  summary.results =
-      compression(model) ? compression_results(model, state, peak) : brazilian_results(model, state, peak);
+  summary.results = results_of(model, state, peak);
   summary.energy = energy_entries(state.samples.back().energy);
   summary.energy["kinetic_over_stored_before_peak"] = loading_kinetic_ratio(state, peak);
   summary.cracks = crack_entries(model, state.samples.back());
-  summary.failure_mode = failure_entries(model, state, peak);
+  summary.failure_mode = sheared(model) ? tooth_entries(model, state) : failure_entries(model, state, peak);
   summary.contacts = contact_entries(model);
   summary.warnings = find_warnings(model, state, peak);
   return summary;

@@ -6,6 +6,12 @@
 #include "core/integrator/platen_contact.hpp"
 
 namespace asperity {
+
+double damping_force(double force, double coefficient, double mean_velocity, double impulse) {
+  const double limit = impulse * std::abs(mean_velocity);
+  return -std::copysign(std::min(coefficient * std::abs(force), limit), mean_velocity);
+}
+
 namespace {
 
 /// A platen contact is lost, or there was none: what its friction still held is spent.
@@ -49,13 +55,6 @@ Vec2 platen_force(System& system, std::size_t node, NodeSums& sums) {
   return force;
 }
 
-/// Cundall's local damping, limited so that it never turns the motion round: Eq. (I4). `impulse` is 2 m / dt. Returns
-/// the damping force.
-double damping_force(double force, double coefficient, double mean_velocity, double impulse) {
-  const double limit = impulse * std::abs(mean_velocity);
-  return -std::copysign(std::min(coefficient * std::abs(force), limit), mean_velocity);
-}
-
 void move_free_node(System& system, std::size_t node, Vec2 force, Vec2 external, NodeSums& sums) {
   const double dt = system.time_step;
   const double m = system.particles.mass[node];
@@ -91,7 +90,9 @@ void move_node(System& system, std::size_t node, Vec2 internal, NodeSums& sums) 
   const Vec2 external = load + system.particles.mass[node] * system.body_acceleration;
   Vec2 force = internal + external;
   if (system.platens.present) force += platen_force(system, node, sums);
-  if (!system.held.empty() && system.held[node]) {
+  if (!system.block_of.empty() && system.block_of[node] >= 0) {
+    sums.on_blocks[system.block_of[node]] += force;
+  } else if (!system.held.empty() && system.held[node]) {
     move_held_node(system, node, force, external, sums);
   } else {
     move_free_node(system, node, force, external, sums);

@@ -7,6 +7,10 @@ namespace asperity {
 /// Whether triangles write their forces for the nodes to gather, as they must where nodes are shared.
 bool corners_written(const System& system);
 
+/// Cundall's local damping, limited so that it never turns the motion round: Eq. (I4). `impulse` is 2 m / dt. Returns
+/// the damping force.
+double damping_force(double force, double coefficient, double mean_velocity, double impulse);
+
 /// Velocities of nodes [begin, end) half a step ahead under the forces that each gathers, Eqs. (I1)-(I6), one after the
 /// other.
 NodeSums move_nodes_reference(System& system, std::size_t begin, std::size_t end);

@@ -47,7 +47,7 @@ Entries stiffness_entries(const System& system, const std::vector<EdgeStiffness>
   Entries entries;
   entries.reserve(21 * p.triangle_count() + 36 * system.contacts.size() + 2 * p.node_count());
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
-    add_element<3>(entries, p.triangles[t], [&](const auto& u) { return linear_triangle(p.shape(t), u, p.elastic); });
+    add_element<3>(entries, p.triangles[t], [&](const auto& u) { return linear_triangle(p.shape(t), u, p.elastic_of(t)); });
   }
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const ContactEdge& e = system.contacts.edges[c];

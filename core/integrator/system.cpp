@@ -39,7 +39,10 @@ void list_gather(System& system) {
 bool corners_written(const System& system) { return system.kernel == Kernel::reference || !system.particles.separate; }
 
 NodeSums& NodeSums::operator+=(const NodeSums& o) {
-  for (int i = 0; i < 2; ++i) reaction[i] += o.reaction[i];
+  for (int i = 0; i < 2; ++i) {
+    reaction[i] += o.reaction[i];
+    on_blocks[i] += o.on_blocks[i];
+  }
   work_before += o.work_before;
   work_after += o.work_after;
   damping += o.damping;
@@ -71,7 +74,7 @@ Vec2 internal_force(const System& system, std::size_t node) {
   const Particles& p = system.particles;
   const std::size_t t = node / 3, k = node % 3;
   const TriangleShape shape = p.shape(t);
-  const Vec2 elastic = corner_forces(shape, biot_state(deformation_gradient(shape, p.corners(t)), p.elastic))[k];
+  const Vec2 elastic = corner_forces(shape, biot_state(deformation_gradient(shape, p.corners(t)), p.elastic_of(t)))[k];
   const std::vector<int>& slot = system.contacts.slot_of_edge;
   return elastic + system.forces[2 * slot[node]] + system.forces[2 * slot[3 * t + (k + 2) % 3] + 1];
 }

@@ -46,6 +46,18 @@ struct PlatenSprings {
   PlatenSpring at(std::size_t node) const;
 };
 
+/// A rigid block bonded to some nodes, which all have its velocity; Eqs. (I21)-(I23). It does not rotate.
+struct RigidBlock {
+  std::vector<int> nodes;      ///< Ascending.
+  double mass = 0;             ///< Of its nodes, tonne per mm of thickness: the block itself has none.
+  bool free_along_y = false;   ///< It follows the forces along y; its velocity is given otherwise.
+  double load = 0;             ///< On a free one, along y, N per mm of thickness.
+  Vec2 velocity;               ///< mm/s during the coming step.
+  Vec2 last_velocity;          ///< During the last step.
+  Vec2 reaction;               ///< Force of the specimen on the block at the last update, N per mm of thickness.
+  Vec2 displacement;           ///< mm, since the start.
+};
+
 /// External forces (N per mm of thickness) on the few nodes that bear any, in ascending order.
 struct NodeLoads {
   std::vector<int> nodes;
@@ -87,6 +99,7 @@ struct EnergyBalance {
 
 /// Sums over nodes gathered in one velocity update.
 struct NodeSums {
+  std::array<Vec2, 2> on_blocks;           ///< Force of the specimen on the rigid blocks, N per mm of thickness.
   std::array<double, 2> reaction{0, 0};    ///< Force on the bottom and top platen along y, N per mm of thickness, >= 0.
   double work_before = 0, work_after = 0;  ///< External work of the half steps before and after this instant.
   double damping = 0, platen_friction = 0, platen_energy = 0, kinetic = 0;
@@ -103,6 +116,8 @@ struct System {
   FlankPressure flank;
   Vec2 body_acceleration{0, 0};    ///< mm/s2, e.g. gravity.
   std::vector<std::uint8_t> held;  ///< Nodes that keep their velocity; empty: none.
+  std::vector<RigidBlock> blocks;  ///< At most two.
+  std::vector<int> block_of;       ///< Block of each node, -1: none; empty: there are no blocks.
   double local_damping = 0;
   double time_step = 0;  ///< s
   double time = 0;       ///< s

@@ -54,7 +54,7 @@ std::vector<Vec2> apply_stiffness(const System& system, const std::vector<double
   loops.for_blocks(triangles, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const auto& n = p.triangles[t];
-      const auto f = linear_triangle(p.shape(t), {u[n[0]], u[n[1]], u[n[2]]}, p.elastic);
+      const auto f = linear_triangle(p.shape(t), {u[n[0]], u[n[1]], u[n[2]]}, p.elastic_of(t));
       for (std::size_t i = 0; i < 3; ++i) forces[corners + 3 * t + i] = f[i];
     }
   });
@@ -104,7 +104,7 @@ std::vector<double> gershgorin_rows(const System& system) {
   const LawParameters law = stiffest_law(system);
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
     add_row_sums<3>(
-        p.triangles[t], [&](const auto& u) { return linear_triangle(p.shape(t), u, p.elastic); }, rows);
+        p.triangles[t], [&](const auto& u) { return linear_triangle(p.shape(t), u, p.elastic_of(t)); }, rows);
   }
   for (const ContactEdge& e : system.contacts.edges) {
     const ContactFrame frame = reference_frame(e, p);

@@ -32,6 +32,8 @@ const char* experiment_name(ExperimentType type) {
       return "triaxial";
     case ExperimentType::brazilian:
       return "brazilian";
+    case ExperimentType::direct_shear:
+      return "direct_shear";
   }
   return "";
 }

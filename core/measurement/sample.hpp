@@ -1,5 +1,6 @@
 #pragma once
 #include "core/measurement/disc_gauge.hpp"
+#include "core/measurement/joint_gauge.hpp"
 
 namespace asperity {
 
@@ -15,7 +16,8 @@ struct Sample {
   double load_n_per_mm = 0;                          ///< Mean of both platens, per mm of thickness.
   double reaction_bottom_n = 0, reaction_top_n = 0;  ///< Means over the sample's steps.
   double confining_pressure_mpa = 0;
-  DiscReading disc;  ///< Of a disc, at the sample's last step.
+  DiscReading disc;    ///< Of a disc, at the sample's last step.
+  JointReading joint;  ///< Of a joint.
   int cracks_tension = 0, cracks_shear = 0, contacts_softening = 0;
   EnergyBalance energy;
 };

@@ -22,7 +22,7 @@ struct FolderDecision {
 };
 
 /// Plots that a run draws, each as PNG and SVG in plots/.
-inline constexpr std::array<std::string_view, 3> kPlotNames{"stress_strain", "energy", "cracks"};
+inline constexpr std::array<std::string_view, 5> kPlotNames{"stress_strain", "shear_stress", "teeth", "energy", "cracks"};
 
 /// outputs/NAME below the present folder. Throws Error(config) at /name where the name would leave outputs/.
 std::filesystem::path default_run_folder(const std::string& config_name);

@@ -1,5 +1,7 @@
 #include "core/output/run_tables.hpp"
 
+#include <fmt/format.h>
+
 #include "core/measurement/acoustic.hpp"
 #include "core/measurement/crack_network.hpp"
 #include "core/measurement/sample.hpp"
@@ -41,6 +43,36 @@ const std::vector<Column<Sample>>& curve_table() {
       {"cracks_tension", [](const Sample& s) -> CsvCell { return s.cracks_tension; }},
       {"cracks_shear", [](const Sample& s) -> CsvCell { return s.cracks_shear; }},
       {"contacts_softening", [](const Sample& s) -> CsvCell { return s.contacts_softening; }},
+  };
+  return table;
+}
+
+const std::vector<Column<Sample>>& joint_curve_table() {
+  static const std::vector<Column<Sample>> table{
+      {"time_s", [](const Sample& s) -> CsvCell { return s.time_s; }},
+      {"shear_displacement_mm", [](const Sample& s) -> CsvCell { return s.closure_mm; }},
+      {"shear_stress_mpa", [](const Sample& s) -> CsvCell { return s.stress_mpa; }},
+      {"normal_stress_mpa", [](const Sample& s) -> CsvCell { return s.joint.normal_stress_mpa; }},
+      {"dilation_mm", [](const Sample& s) -> CsvCell { return s.joint.dilation.mean; }},
+      {"dilation_front_mm", [](const Sample& s) -> CsvCell { return s.joint.dilation.front; }},
+      {"dilation_rear_mm", [](const Sample& s) -> CsvCell { return s.joint.dilation.rear; }},
+      {"reaction_lower_n", [](const Sample& s) -> CsvCell { return s.reaction_bottom_n; }},
+      {"reaction_upper_n", [](const Sample& s) -> CsvCell { return s.reaction_top_n; }},
+      {"cracks_tension", [](const Sample& s) -> CsvCell { return s.cracks_tension; }},
+      {"cracks_shear", [](const Sample& s) -> CsvCell { return s.cracks_shear; }},
+      {"contacts_softening", [](const Sample& s) -> CsvCell { return s.contacts_softening; }},
+  };
+  return table;
+}
+
+const std::vector<Column<ToothReading>>& tooth_table() {
+  static const std::vector<Column<ToothReading>> table{
+      {"leading_x_n_per_mm", [](const ToothReading& t) -> CsvCell { return t.leading.x; }},
+      {"leading_y_n_per_mm", [](const ToothReading& t) -> CsvCell { return t.leading.y; }},
+      {"trailing_x_n_per_mm", [](const ToothReading& t) -> CsvCell { return t.trailing.x; }},
+      {"trailing_y_n_per_mm", [](const ToothReading& t) -> CsvCell { return t.trailing.y; }},
+      {"attached_share", [](const ToothReading& t) -> CsvCell { return t.attached_share; }},
+      {"cracks", [](const ToothReading& t) -> CsvCell { return t.cracks; }},
   };
   return table;
 }
@@ -113,20 +145,33 @@ std::vector<Item> joined(std::vector<Item> first, const std::vector<Item>& secon
 
 }  // namespace
 
-std::vector<std::string> curve_columns() { return joined(names_of(curve_table()), names_of(energy_table())); }
+std::vector<std::string> curve_columns(const CurveLayout& layout) {
+  std::vector<std::string> names = names_of(layout.joint ? joint_curve_table() : curve_table());
+  for (std::size_t i = 0; i < layout.teeth; ++i) {
+    for (const std::string& name : names_of(tooth_table())) names.push_back(fmt::format("tooth{}_{}", i + 1, name));
+  }
+  return joined(std::move(names), names_of(energy_table()));
+}
 
-std::vector<std::string> energy_columns() { return joined({"time_s", "axial_strain"}, names_of(energy_table())); }
+std::vector<std::string> energy_columns(const CurveLayout& layout) {
+  return joined({"time_s", layout.joint ? "shear_displacement_mm" : "axial_strain"}, names_of(energy_table()));
+}
 
 std::vector<std::string> crack_columns() { return names_of(crack_table()); }
 
 std::vector<std::string> event_columns() { return names_of(event_table()); }
 
-std::vector<CsvCell> curve_row(const Sample& sample) {
-  return joined(cells_of(curve_table(), sample), cells_of(energy_table(), sample));
+std::vector<CsvCell> curve_row(const Sample& sample, const CurveLayout& layout) {
+  std::vector<CsvCell> cells = cells_of(layout.joint ? joint_curve_table() : curve_table(), sample);
+  for (std::size_t i = 0; i < layout.teeth; ++i) {
+    cells = joined(std::move(cells), cells_of(tooth_table(), sample.joint.teeth[i]));
+  }
+  return joined(std::move(cells), cells_of(energy_table(), sample));
 }
 
-std::vector<CsvCell> energy_row(const Sample& sample) {
-  return joined({sample.time_s, sample.axial_strain}, cells_of(energy_table(), sample));
+std::vector<CsvCell> energy_row(const Sample& sample, const CurveLayout& layout) {
+  return joined({sample.time_s, layout.joint ? sample.closure_mm : sample.axial_strain},
+                cells_of(energy_table(), sample));
 }
 
 std::vector<CsvCell> crack_row(const Crack& crack) { return cells_of(crack_table(), crack); }

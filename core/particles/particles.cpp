@@ -72,12 +72,12 @@ Particles make_particles(const Mesh& mesh, const ParticleConfig& config, PlaneCo
 
 double triangle_energy(const Particles& particles, std::size_t t) {
   const TriangleShape shape = particles.shape(t);
-  return shape.area * biot_state(deformation_gradient(shape, particles.corners(t)), particles.elastic).energy_density();
+  return shape.area * biot_state(deformation_gradient(shape, particles.corners(t)), particles.elastic_of(t)).energy_density();
 }
 
 std::array<double, 4> triangle_stress(const Particles& particles, std::size_t t) {
   const DeformationGradient f = deformation_gradient(particles.shape(t), particles.corners(t));
-  return cauchy_stress(f, biot_state(f, particles.elastic), particles.elastic);
+  return cauchy_stress(f, biot_state(f, particles.elastic_of(t)), particles.elastic_of(t));
 }
 
 }  // namespace asperity

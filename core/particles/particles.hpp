@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "core/base/vec2.hpp"
@@ -29,8 +30,11 @@ struct Particles {
   std::vector<PackedShapes> shapes;
   std::vector<int> grain;
   ElasticConstants elastic;
+  ElasticConstants bulk;              ///< Of the triangles that stand for the intact material.
+  std::vector<std::uint8_t> in_bulk;  ///< 1: such a triangle; empty: there are none.
   bool separate = false;  ///< Every triangle is a particle, and its nodes are 3 t, 3 t + 1, 3 t + 2.
 
+  const ElasticConstants& elastic_of(std::size_t t) const { return in_bulk.empty() || !in_bulk[t] ? elastic : bulk; }
   std::size_t node_count() const { return position.size(); }
   std::size_t triangle_count() const { return triangles.size(); }
   std::array<Vec2, 3> corners(std::size_t t) const {

@@ -1,0 +1,120 @@
+#include "core/experiment/joint_results.hpp"
+
+#include <algorithm>
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Share of the displacement at the end of which the mean shear stress is the residual one.
+constexpr double kResidualShare = 0.25;
+/// A fall of the shear stress by this share of the peak, from a maximum to the minimum that follows, is a drop.
+constexpr double kDrop = 0.1;
+/// A tooth is sheared off once less than this share of it hangs together with the lower half.
+constexpr double kShearedOff = 0.5;
+
+/// Eq. (E12).
+double residual_stress(const std::vector<Sample>& samples) {
+  const double from = (1.0 - kResidualShare) * samples.back().closure_mm;
+  double sum = 0.0;
+  int count = 0;
+  for (const Sample& s : samples) {
+    if (s.closure_mm < from) continue;
+    sum += s.stress_mpa;
+    ++count;
+  }
+  return sum / count;
+}
+
+/// Least-squares slope of the dilation over the shear displacement between two shares of the peak's displacement.
+double dilation_rate(const std::vector<Sample>& samples, double from_mm, double to_mm) {
+  double n = 0, mx = 0, my = 0, sxx = 0, sxy = 0;
+  const auto inside = [&](const Sample& s) { return s.closure_mm >= from_mm && s.closure_mm <= to_mm; };
+  for (const Sample& s : samples) {
+    if (!inside(s)) continue;
+    n += 1;
+    mx += s.closure_mm;
+    my += s.joint.dilation.mean;
+  }
+  if (n < 3) return 0.0;
+  mx /= n;
+  my /= n;
+  for (const Sample& s : samples) {
+    if (!inside(s)) continue;
+    sxx += (s.closure_mm - mx) * (s.closure_mm - mx);
+    sxy += (s.closure_mm - mx) * (s.joint.dilation.mean - my);
+  }
+  return sxx > 0.0 ? sxy / sxx : 0.0;
+}
+
+/// Eq. (E13): falls from a running maximum, each until the stress has risen again by as much.
+Json drops(const std::vector<Sample>& samples, double peak) {
+  Json list = Json::array();
+  const double least = kDrop * peak;
+  std::size_t high = 0, low = 0;
+  const auto enter = [&] {
+    if (samples[high].stress_mpa - samples[low].stress_mpa < least) return;
+    list.push_back({{"from_mm", samples[high].closure_mm},
+                    {"to_mm", samples[low].closure_mm},
+                    {"from_mpa", samples[high].stress_mpa},
+                    {"to_mpa", samples[low].stress_mpa}});
+  };
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].stress_mpa < samples[low].stress_mpa) low = i;
+    const bool risen = samples[i].stress_mpa > samples[low].stress_mpa + least;
+    if (samples[i].stress_mpa <= samples[high].stress_mpa && !(risen && low > high)) continue;
+    if (low > high) enter();
+    high = low = i;
+  }
+  if (low > high) enter();
+  return list;
+}
+
+Json vector_entries(Vec2 force, double length) {
+  return {{"shear_mpa", force.x / length}, {"normal_mpa", force.y / length}};
+}
+
+}  // namespace
+
+Json joint_results(const Model& model, const RunState& state, const Peak& peak) {
+  const Sample& last = state.samples.back();
+  const Sample& at_peak = state.samples[peak.index];
+  return {{"normal_stress_mpa", model.config.experiment.normal_stress_mpa},
+          {"peak_shear_stress_mpa", peak.stress_mpa},
+          {"residual_shear_stress_mpa", residual_stress(state.samples)},
+          {"peak_shear_displacement_mm", at_peak.closure_mm},
+          {"end_shear_displacement_mm", last.closure_mm},
+          {"end_dilation_mm", last.joint.dilation.mean},
+          {"peak_dilation_mm", at_peak.joint.dilation.mean},
+          {"dilation_rate_before_peak", dilation_rate(state.samples, 0.3 * at_peak.closure_mm, at_peak.closure_mm)},
+          {"peak_passed", !peak.at_end},
+          {"drops", drops(state.samples, peak.stress_mpa)}};
+}
+
+Json tooth_entries(const Model& model, const RunState& state) {
+  Json teeth = Json::array();
+  const double length = model.joint.profile.length();
+  const Peak peak = find_peak(state.samples, peak_limit(model.config));
+  const Sample& at_peak = state.samples[peak.index];
+  for (std::size_t i = 0; i < model.joint.gauge.tooth_area_mm2.size(); ++i) {
+    const auto sheared = std::find_if(state.samples.begin(), state.samples.end(), [&](const Sample& s) {
+      return s.joint.teeth[i].attached_share < kShearedOff;
+    });
+    const bool off = sheared != state.samples.end();
+    const ToothSpan& span = model.joint.profile.teeth[i];
+    teeth.push_back({{"angle_deg", span.back_angle_deg},
+                     {"begin_mm", span.begin_mm},
+                     {"end_mm", span.end_mm},
+                     {"sheared_off", off},
+                     {"sheared_off_at_mm", off ? Json(sheared->closure_mm) : Json()},
+                     {"shear_stress_then_mpa", off ? Json(sheared->stress_mpa) : Json()},
+                     {"attached_share_at_end", state.samples.back().joint.teeth[i].attached_share},
+                     {"cracks", state.samples.back().joint.teeth[i].cracks},
+                     {"leading_flank_at_peak", vector_entries(at_peak.joint.teeth[i].leading, length)},
+                     {"trailing_flank_at_peak", vector_entries(at_peak.joint.teeth[i].trailing, length)}});
+  }
+  return {{"teeth", teeth}};
+}
+
+}  // namespace asperity
