@@ -10,7 +10,7 @@ namespace {
 constexpr double kSamePlacePerMm = 1e3;  // edges whose middles round to the same micrometre are the same
 
 struct Edge {
-  std::pair<long long, long long> middle;
+  std::array<long long, 3> middle;  ///< x, y and, of a joint, the half: its halves' edges lie upon each other.
   std::array<int, 2> nodes;
   int triangle;
 };
@@ -27,7 +27,8 @@ std::vector<Edge> all_edges(const Frame& frame) {
     for (std::size_t c = 0; c < 3; ++c) {
       const std::array<int, 2> nodes{frame.triangles[t][c], frame.triangles[t][(c + 1) % 3]};
       const Vec2 twice = before_loading(nodes[0]) + before_loading(nodes[1]);
-      edges.push_back({{std::llround(kSamePlacePerMm * twice.x), std::llround(kSamePlacePerMm * twice.y)},
+      const long long half = frame.half.empty() ? 0 : frame.half[t];
+      edges.push_back({{std::llround(kSamePlacePerMm * twice.x), std::llround(kSamePlacePerMm * twice.y), half},
                        nodes,
                        static_cast<int>(t)});
     }

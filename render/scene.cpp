@@ -35,10 +35,11 @@ std::string state_of(const Frame& frame, const PictureOptions& options) {
     return value < 0 && !zero ? "−" + text : text;
   };
   std::string text = "Time " + number("{:.3f}", 1e3 * frame.time_s) + " ms  ·  " + texts.strain + " " +
-                     number("{:.3f}", 100 * frame.axial_strain) + " %  ·  " + texts.stress + " " +
+                     number("{:.3f}", texts.strain_factor * frame.axial_strain) + " " + texts.strain_unit + "  ·  " + texts.stress + " " +
                      number("{:.2f}", frame.stress_mpa) + " MPa";
   if (frame.confining_pressure_mpa != 0)
     text += "  ·  Confining pressure " + number("{:.2f}", frame.confining_pressure_mpa) + " MPa";
+  if (frame.joint.length_mm > 0) text += "  ·  Dilation " + number("{:.2f}", frame.joint.dilation_mm) + " mm";
   if (options.displacement_scale != 1) text += fmt::format("  ·  Displacements × {:g}", options.displacement_scale);
   return text;
 }

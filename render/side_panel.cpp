@@ -206,10 +206,13 @@ Range inset_range(double low, double high, double present) {
 }  // namespace
 
 ExperimentTexts experiment_texts(const Frame& frame) {
-  if (frame.experiment == "brazilian") return {"Brazilian disc", "Closure / diameter", "Tensile stress 2P/(πDt)"};
-  if (frame.experiment == "uniaxial") return {"Uniaxial compression", "Axial strain", "Axial stress"};
-  if (frame.experiment == "triaxial") return {"Triaxial compression", "Axial strain", "Axial stress σ₁"};
-  return {frame.experiment, "Axial strain", "Axial stress"};
+  if (frame.experiment == "brazilian") return {"Brazilian disc", "Closure / diameter", "Tensile stress 2P/(πDt)", "%", 100};
+  if (frame.experiment == "uniaxial") return {"Uniaxial compression", "Axial strain", "Axial stress", "%", 100};
+  if (frame.experiment == "triaxial") return {"Triaxial compression", "Axial strain", "Axial stress σ₁", "%", 100};
+  if (frame.experiment == "direct_shear") {
+    return {"Direct shear", "Shear displacement", "Shear stress", "mm", frame.joint.length_mm};
+  }
+  return {frame.experiment, "Axial strain", "Axial stress", "%", 100};
 }
 
 double draw_key(Drawing& drawing, const Frame& frame, const PictureOptions& options, const View& view, const Box& room,
@@ -226,16 +229,18 @@ PlotArea inset_area(const Frame& frame, const PictureOptions& options, const Box
   const Range strain = options.strain_range.value_or(range_of(frame.curve.axial_strain));
   const Range stress = options.stress_range.value_or(range_of(frame.curve.stress_mpa));
   const ExperimentTexts texts = experiment_texts(frame);
-  const Range x = inset_range(kPercent * strain.low, kPercent * strain.high, kPercent * frame.axial_strain);
+  const double k = texts.strain_factor;
+  const Range x = inset_range(k * strain.low, k * strain.high, k * frame.axial_strain);
   const Range y = inset_range(stress.low, stress.high, frame.stress_mpa);
-  return fit_axes(room, make_axis(x, texts.strain + " [%]", 4), make_axis(y, texts.stress + " [MPa]", 6), {}, sizes);
+  return fit_axes(room, make_axis(x, texts.strain + " [" + texts.strain_unit + "]", 4), make_axis(y, texts.stress + " [MPa]", 6), {}, sizes);
 }
 }  // namespace
 
 void draw_inset(Drawing& drawing, const Frame& frame, const PictureOptions& options, const Box& room, double unit) {
   const AxesStyle sizes{style::kTickSize * unit, style::kLabelSize * unit, 2 * unit};
   const PlotArea area = inset_area(frame, options, room, sizes);
-  const auto place = [&](double strain, double stress) { return area.place(kPercent * strain, stress); };
+  const double factor = experiment_texts(frame).strain_factor;
+  const auto place = [&](double strain, double stress) { return area.place(factor * strain, stress); };
   draw_grid(drawing, area, sizes);
   Polyline curve{{}, {style::kBlue, style::kLineWidth * unit, {}, Cap::butt}};
   const std::vector<double>&strain = frame.curve.axial_strain, &stress = frame.curve.stress_mpa;

@@ -8,6 +8,8 @@ namespace asperity::render {
 /// How an experiment is called in a picture; symbols and units as UTF-8.
 struct ExperimentTexts {
   std::string title, strain, stress;
+  std::string strain_unit = "%";
+  double strain_factor = 100;  ///< From Frame::axial_strain to that unit.
 };
 ExperimentTexts experiment_texts(const Frame& frame);
 

@@ -37,6 +37,14 @@ Extent extent_before_loading(const Frame& frame) {
   return frame.position.empty() ? Extent{{0, 0}, {1, 1}} : extent;
 }
 
+/// A joint's room: the lower half moves to the right, the upper one rises.
+Extent room_of(const Frame& frame) {
+  Extent extent = extent_before_loading(frame);
+  extent.high.x += frame.joint.range_mm;
+  extent.high.y += frame.joint.rise_mm;
+  return extent;
+}
+
 Colour paler(Colour c) {
   const auto mix = [](std::uint8_t v) { return static_cast<std::uint8_t>(v + kOutlinePaleness * (255 - v)); };
   return {mix(c.r), mix(c.g), mix(c.b)};
@@ -171,7 +179,21 @@ void draw_jaw(Drawing& drawing, const Frame& frame, const View& view, double uni
   drawing.shapes.push_back(edge);
 }
 
+/// The rigid blocks that a joint's halves are bonded to.
+void draw_blocks(Drawing& drawing, const Frame& frame, const View& view, double unit) {
+  const Extent rest = extent_before_loading(frame);
+  const auto draw = [&](Vec2 low, Vec2 high) {
+    const Vec2 a = view.place({low.x, high.y}), b = view.place({high.x, low.y});
+    add_box(drawing, {a.x, a.y, b.x, b.y}, style::kPlaten);
+    add_frame(drawing, {a.x, a.y, b.x, b.y}, {style::kPlatenEdge, 2 * unit, {}, Cap::butt});
+  };
+  const FrameJoint& joint = frame.joint;
+  draw({rest.low.x + joint.shear_mm, rest.low.y - view.platen_mm}, {rest.high.x + joint.shear_mm, rest.low.y});
+  draw({rest.low.x, rest.high.y + joint.dilation_mm}, {rest.high.x, rest.high.y + joint.dilation_mm + view.platen_mm});
+}
+
 void draw_platens(Drawing& drawing, const Frame& frame, const View& view, double unit) {
+  if (frame.joint.length_mm > 0.0) return draw_blocks(drawing, frame, view, unit);
   if (!(frame.platen_y[1] > frame.platen_y[0])) return;
   for (const int side : {0, 1}) {
     frame.jaws.radius_mm > 0 ? draw_jaw(drawing, frame, view, unit, side)
@@ -189,7 +211,7 @@ bool View::shows(Vec2 pixel) const {
 }
 
 View fit_view(const Frame& frame, const Box& room) {
-  const Extent extent = extent_before_loading(frame);
+  const Extent extent = room_of(frame);
   View view;
   view.specimen_mm = extent.high - extent.low;
   view.centre = 0.5 * (extent.low + extent.high);

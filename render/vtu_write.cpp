@@ -93,6 +93,8 @@ void add_curve(vtkFieldData* data, const Frame& frame) {
   add_numbers(data, "platen_y", {frame.platen_y[0], frame.platen_y[1]});
   const FrameJaws& jaws = frame.jaws;
   if (jaws.radius_mm > 0.0) add_numbers(data, "jaws", {jaws.radius_mm, jaws.centre_x_mm, jaws.half_width_mm});
+  const FrameJoint& j = frame.joint;
+  if (j.length_mm > 0.0) add_numbers(data, "joint", {j.length_mm, j.rise_mm, j.range_mm, j.shear_mm, j.dilation_mm});
   add_numbers(data, "curve_axial_strain", frame.curve.axial_strain);
   add_numbers(data, "curve_lateral_strain", frame.curve.lateral_strain);
   add_numbers(data, "curve_stress", frame.curve.stress_mpa);
@@ -107,6 +109,7 @@ void add_cell_fields(vtkFieldData* data, const Frame& frame) {
   add_scalars(data, "damage", n, [&](auto i) { return frame.damage[i]; });
   add_integers(data, "grain", n, [&](auto i) { return frame.grain[i]; });
   add_integers(data, "fragment", n, [&](auto i) { return frame.fragment[i]; });
+  if (!frame.half.empty()) add_integers(data, "half", n, [&](auto i) { return frame.half[i]; });
 }
 
 void add_crack_fields(vtkFieldData* data, const std::vector<CrackSegment>& cracks) {
@@ -193,7 +196,9 @@ std::string fields_vtu(const Frame& frame) {
        "principal_stress_min [MPa], in the plane", "max_shear_stress [MPa], in the plane", "damage [-]",
        "displacement [mm]", "velocity [mm/s]", "axial_strain [-], shortening positive",
        "axial_stress [MPa], compression positive", "confining_pressure [MPa]", "platen_y [mm], bottom and top",
-       "curve_axial_strain [-]", "curve_lateral_strain [-]", "curve_stress [MPa]"});
+       "curve_axial_strain [-]", "curve_lateral_strain [-]", "curve_stress [MPa]",
+       "joint [mm]: length, rise of the profile, range of the shear displacement, shear displacement, dilation",
+       "half: 0 lower, 1 upper (joints)"});
   add_curve(grid->GetFieldData(), frame);
   return bytes_of(grid);
 }

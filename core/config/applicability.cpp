@@ -61,6 +61,8 @@ const std::vector<ConditionalKey>& conditional_keys() {
       {"/joint/damage_depth_upper_mm", kType, is_shear, shear, joint_hint},
       {"/joint/coarse_edge_mm", kType, is_shear, shear, joint_hint},
       {"/joint/breakable", kType, is_shear, shear, joint_hint},
+      {"/material/cohesion_mpa", kType, is_shear, shear, "remove it: only a joint's closed forms use it"},
+      {"/material/friction_angle_deg", kType, is_shear, shear, "remove it: only a joint's closed forms use it"},
       {"/experiment/platens/friction_coefficient", kType, has_platens, platens, platen_hint},
       {"/experiment/platens/stiffness_mpa_per_mm", kType, has_platens, platens, platen_hint},
       {"/experiment/loading/mode", kType, has_platens, platens, "remove it: a joint is sheared continuously"},

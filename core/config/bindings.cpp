@@ -164,6 +164,8 @@ const std::vector<Binding>& bindings() {
       bind<&Run::material, &Material::mode_ii_toughness_mpa_sqrt_m>("/material/mode_ii_toughness_mpa_sqrt_m"),
       bind<&Run::material, &Material::tensile_strength_mpa>("/material/tensile_strength_mpa"),
       bind<&Run::material, &Material::beta>("/material/beta"),
+      bind<&Run::material, &Material::cohesion_mpa>("/material/cohesion_mpa"),
+      bind<&Run::material, &Material::friction_angle_deg>("/material/friction_angle_deg"),
       bind<&Run::particles, &Particles::kind>("/particles/kind"),
       bind<&Run::particles, &Particles::edge_mm>("/particles/edge_mm"),
       bind<&Run::particles, &Particles::edge_deviation_mm>("/particles/edge_deviation_mm"),

@@ -108,6 +108,7 @@ struct MaterialConfig {
   double mode_ii_toughness_mpa_sqrt_m = 1.1;
   double tensile_strength_mpa = 1.6;
   double beta = 0.25;  ///< Eq 33.
+  std::optional<double> cohesion_mpa, friction_angle_deg;  ///< Mohr-Coulomb, for a joint's closed forms.
   bool operator==(const MaterialConfig&) const = default;
 };
 

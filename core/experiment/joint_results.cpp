@@ -1,6 +1,7 @@
 #include "core/experiment/joint_results.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity {
 namespace {
@@ -75,7 +76,65 @@ Json vector_entries(Vec2 force, double length) {
   return {{"shear_mpa", force.x / length}, {"normal_mpa", force.y / length}};
 }
 
+/// null for "not this way".
+Json finite(double x) { return std::isfinite(x) ? Json(x) : Json(); }
+
+Json form_entry(double strength_mpa, double simulated_mpa, const char* what) {
+  const bool comparable = std::isfinite(strength_mpa) && strength_mpa > 0.0;
+  return {{"shear_stress_mpa", finite(strength_mpa)},
+          {"simulated_over_it", comparable ? Json(simulated_mpa / strength_mpa) : Json()},
+          {"what", what}};
+}
+
+Json stage_entries(const std::vector<ToothStage>& stages) {
+  Json list = Json::array();
+  for (const ToothStage& s : stages) {
+    list.push_back({{"angle_deg", s.group.angle_deg},
+                    {"sliding_mpa", finite(s.sliding_mpa)},
+                    {"base_shear_mpa", finite(s.base_shear_mpa)},
+                    {"transition_normal_stress_mpa", finite(s.transition_mpa)},
+                    {"predicted", s.failure == JointFailure::sliding ? "slides" : "shears"},
+                    {"strength_mpa", finite(s.strength_mpa)}});
+  }
+  return list;
+}
+
 }  // namespace
+
+std::optional<ToothedJoint> toothed_joint(const RunConfig& config, const JointProfile& profile) {
+  const MaterialConfig& m = config.material;
+  if (!m.cohesion_mpa || !m.friction_angle_deg) return std::nullopt;
+  ToothedJoint joint;
+  joint.length_mm = profile.length();
+  for (const ToothSpan& t : profile.teeth) {
+    joint.teeth.push_back({t.end_mm - t.begin_mm, t.height_mm, t.back_angle_deg});
+  }
+  joint.joint_friction_deg =
+      config.contacts.general.outline.friction_angle_deg.value_or(config.contacts.friction_angle_deg);
+  joint.cohesion_mpa = *m.cohesion_mpa;
+  joint.friction_deg = *m.friction_angle_deg;
+  return joint;
+}
+
+Json closed_form_entries(const Model& model, const RunState& state) {
+  const std::optional<ToothedJoint> joint = toothed_joint(model.config, model.joint.profile);
+  if (!joint) return {};
+  const JointStrength s = joint_strength(*joint, model.config.experiment.normal_stress_mpa);
+  const double peak = find_peak(state.samples, peak_limit(model.config)).stress_mpa;
+  const double residual = residual_stress(state.samples);
+  const ToothStage& first = s.stages.front();
+  Json j;
+  j["sliding"] = form_entry(first.sliding_mpa, peak, "sigma_n tan(phi_j + i), steepest teeth (C61)");
+  j["shearing_through"] = form_entry(first.base_shear_mpa, peak, "C base/L + sigma_n tan(phi), steepest teeth (C62)");
+  j["together"] = form_entry(s.together_mpa, peak, "all teeth sheared at once (C70)");
+  j["staggered"] = form_entry(s.staged_peak_mpa, peak, "teeth one after the other, the largest (C71)");
+  j["ladanyi_archambault"] = form_entry(s.ladanyi_archambault.shear_mpa, peak, "Ladanyi & Archambault (C66-C68)");
+  j["residual_joint_friction"] = form_entry(s.residual_low_mpa, residual, "sigma_n tan(phi_j), on the residual (C69)");
+  j["residual_rock_friction"] = form_entry(s.residual_high_mpa, residual, "sigma_n tan(phi), on the residual (C69)");
+  j["stages"] = stage_entries(s.stages);
+  j["predicted"] = s.failure == JointFailure::sliding ? "slides" : "shears";
+  return j;
+}
 
 Json joint_results(const Model& model, const RunState& state, const Peak& peak) {
   const Sample& last = state.samples.back();
@@ -114,7 +173,7 @@ Json tooth_entries(const Model& model, const RunState& state) {
                      {"leading_flank_at_peak", vector_entries(at_peak.joint.teeth[i].leading, length)},
                      {"trailing_flank_at_peak", vector_entries(at_peak.joint.teeth[i].trailing, length)}});
   }
-  return {{"teeth", teeth}};
+  return {{"teeth", teeth}, {"closed_forms", closed_form_entries(model, state)}};
 }
 
 }  // namespace asperity

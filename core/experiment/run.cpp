@@ -117,8 +117,18 @@ void take_sample(Model& model, RunState& state, const ParallelLoops& loops, cons
   }
 }
 
+Frame frame_of(const Model& model, const RunState& state) {
+  Frame frame = capture_frame(model.system, model.config, state.samples, state.frames);
+  if (model.config.experiment.type != ExperimentType::direct_shear) return frame;
+  const JointProfile& profile = model.joint.profile;
+  frame.joint = {profile.length(), profile.highest() - profile.lowest(), model.config.experiment.stop.shear_displacement_mm,
+                 closure(model, state.loading), model.system.blocks[kUpperBlock].displacement.y};
+  for (const std::uint8_t lower : model.joint.gauge.lower) frame.half.push_back(lower ? 0 : 1);
+  return frame;
+}
+
 void take_frame(const Model& model, RunState& state, const RunObserver& observer) {
-  if (observer.on_frame) observer.on_frame(capture_frame(model.system, model.config, state.samples, state.frames));
+  if (observer.on_frame) observer.on_frame(frame_of(model, state));
   ++state.frames;
   const double interval = stop_strain(model.config) / std::max(1, model.config.output.frames - 1);
   while (state.next_frame_strain <= state.samples.back().axial_strain) state.next_frame_strain += interval;

@@ -49,15 +49,24 @@ struct FrameJaws {
   bool operator==(const FrameJaws&) const = default;
 };
 
+/// Where the two halves of a joint stand.
+struct FrameJoint {
+  double length_mm = 0;  ///< 0: no joint.
+  double rise_mm = 0;    ///< Height of the profile: the most that intact halves can dilate.
+  double range_mm = 0;   ///< Shear displacement at which the test ends.
+  double shear_mm = 0, dilation_mm = 0;
+  bool operator==(const FrameJoint&) const = default;
+};
+
 /// Everything a picture or a VTU file shows of one instant. Positions mm, velocities mm/s, stresses MPa (tension
 /// positive).
 struct Frame {
   int index = 0;
   double time_s = 0;
-  std::string experiment;   ///< "brazilian", "uniaxial", "triaxial".
+  std::string experiment;   ///< "brazilian", "uniaxial", "triaxial", "direct_shear".
   std::string name;         ///< The config's name.
-  double axial_strain = 0;  ///< As in curves.csv.
-  double stress_mpa = 0;    ///< Axial stress, or 2P/(pi D t) for the disc; compression positive.
+  double axial_strain = 0;  ///< As in curves.csv; of a joint: shear displacement over its length.
+  double stress_mpa = 0;    ///< Axial stress, 2P/(pi D t) for the disc (compression positive), or shear stress.
   double confining_pressure_mpa = 0;
   std::vector<Vec2> position, displacement, velocity;  ///< Per node; every particle owns its nodes.
   std::vector<std::array<int, 3>> triangles;           ///< Node indices.
@@ -68,6 +77,8 @@ struct Frame {
   std::vector<ContactForce> contacts;    ///< Those that carry force.
   std::array<double, 2> platen_y{0, 0};  ///< Bottom and top platen.
   FrameJaws jaws;
+  FrameJoint joint;
+  std::vector<int> half;  ///< Per triangle of a joint: 0 lower, 1 upper; empty otherwise.
   CurveHistory curve;
 };
 
