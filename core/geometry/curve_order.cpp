@@ -62,17 +62,21 @@ class Renumbering {
 
 }  // namespace
 
-Mesh sort_along_curve(const Mesh& mesh) {
-  if (mesh.triangles.empty()) return mesh;
+std::vector<int> curve_order(const Mesh& mesh) {
+  if (mesh.triangles.empty()) return {};
   const std::vector<std::uint64_t> position = curve_positions(mesh);
   std::vector<int> order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return position[a] < position[b]; });
+  return order;
+}
 
+Mesh sort_along_curve(const Mesh& mesh) {
+  if (mesh.triangles.empty()) return mesh;
   Mesh sorted;
   sorted.outline_area_mm2 = mesh.outline_area_mm2;
   Renumbering vertex(mesh.vertices.size()), grain(mesh.triangles.size());
-  for (int t : order) {
+  for (int t : curve_order(mesh)) {
     std::array<int, 3> corners{};
     for (int k = 0; k < 3; ++k) {
       const int old = mesh.triangles[t][k];

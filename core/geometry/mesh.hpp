@@ -46,8 +46,11 @@ struct MeshQuality {
 
 MeshQuality measure_quality(const Mesh& mesh);
 
-/// Renumbers triangles along a Hilbert curve through their centroids, and vertices and grains in the order in which the
-/// triangles first name them: neighbours in the plane become neighbours in memory. Drops vertices no triangle names.
+/// The triangles in the order of a Hilbert curve through their centroids.
+std::vector<int> curve_order(const Mesh& mesh);
+
+/// Renumbers triangles in their curve_order, and vertices and grains in the order in which the triangles first name
+/// them: neighbours in the plane become neighbours in memory. Drops vertices no triangle names.
 Mesh sort_along_curve(const Mesh& mesh);
 
 }  // namespace asperity

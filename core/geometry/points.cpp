@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "core/base/units.hpp"
 #include "core/geometry/box.hpp"
 
 namespace asperity {
@@ -11,14 +13,6 @@ namespace {
 /// Cut off, so that no single draw can make a sliver.
 double scattered(double scatter, RandomStream& random) {
   return 1.0 + scatter * std::clamp(random.normal(), -2.0, 2.0);
-}
-
-std::vector<double> random_cuts(double length, int pieces, double scatter, RandomStream& random) {
-  std::vector<double> cuts{0.0};
-  for (int i = 0; i < pieces; ++i) cuts.push_back(cuts.back() + scattered(scatter, random));
-  const double scale = length / cuts.back();
-  for (double& cut : cuts) cut *= scale;
-  return cuts;
 }
 
 /// Finds points nearer than the spacing. A cell is as wide as the spacing, so the 3 x 3 cells around a point suffice.
@@ -54,6 +48,31 @@ class HashGrid {
 };
 
 }  // namespace
+
+std::vector<double> random_cuts(double length, int pieces, double scatter, RandomStream& random) {
+  std::vector<double> cuts{0.0};
+  for (int i = 0; i < pieces; ++i) cuts.push_back(cuts.back() + scattered(scatter, random));
+  const double scale = length / cuts.back();
+  for (double& cut : cuts) cut *= scale;
+  return cuts;
+}
+
+void mark_sharp_corners(PointSet& set, double angle_deg) {
+  std::vector<std::vector<double>> directions(set.points.size());
+  const auto add = [&](int from, int to) {
+    const Vec2 d = set.points[to].at - set.points[from].at;
+    directions[from].push_back(std::atan2(d.y, d.x));
+  };
+  for (const auto& [a, b] : set.segments) add(a, b), add(b, a);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    std::vector<double>& at = directions[i];
+    if (at.size() < 2) continue;
+    std::sort(at.begin(), at.end());
+    double least = at.front() + 2.0 * std::numbers::pi - at.back();
+    for (std::size_t k = 1; k < at.size(); ++k) least = std::min(least, at[k] - at[k - 1]);
+    set.points[i].sharp = least < angle_deg * units::kRadPerDeg;
+  }
+}
 
 PointSet place_on_outline(const Outline& outline, double edge_mm, double scatter, RandomStream& random) {
   PointSet set;

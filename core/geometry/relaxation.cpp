@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/units.hpp"
 
@@ -14,9 +15,32 @@ constexpr double kPressure = 1.2;
 constexpr double kMobility = 0.2;     ///< Move over force; stable up to about 0.3 with six springs a point.
 constexpr double kLongestMove = 0.2;  ///< Over the mean edge length: points on a side cannot pass each other.
 
-double smallest_angle(Vec2 a, Vec2 b, Vec2 c) {
-  const auto angle = [](Vec2 u, Vec2 v) { return std::atan2(std::abs(cross(u, v)), dot(u, v)); };
-  return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
+/// At corner k of a triangle, radians.
+double angle_at(const PointSet& set, const std::array<int, 3>& triangle, int k) {
+  const Vec2 corner = set.points[triangle[k]].at;
+  const Vec2 u = set.points[triangle[(k + 1) % 3]].at - corner, v = set.points[triangle[(k + 2) % 3]].at - corner;
+  return std::atan2(std::abs(cross(u, v)), dot(u, v));
+}
+
+/// Smallest angle of a triangle, radians; those in sharp corners are not counted.
+double smallest_angle(const PointSet& set, const std::array<int, 3>& triangle) {
+  double least = std::numbers::pi;
+  for (int k = 0; k < 3; ++k)
+    if (!set.points[triangle[k]].sharp) least = std::min(least, angle_at(set, triangle, k));
+  return least;
+}
+
+/// Of the triangle's free points the one at the largest angle; -1: it has none.
+int bluntest_free_point(const PointSet& set, const std::array<int, 3>& triangle) {
+  int bluntest = -1;
+  double largest = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double angle = angle_at(set, triangle, k);
+    if (set.points[triangle[k]].freedom != Freedom::free || angle <= largest) continue;
+    largest = angle;
+    bluntest = triangle[k];
+  }
+  return bluntest;
 }
 
 /// Eq. (G2), mm.
@@ -66,26 +90,22 @@ std::vector<Vec2> middles(const std::vector<Vec2>& at, const Triangulation& mesh
 }
 
 /// 1 for every corner of a triangle with an angle below the one asked for.
-std::vector<std::uint8_t> poor_points(const std::vector<Vec2>& at, const Triangulation& mesh, double angle_min_deg) {
-  std::vector<std::uint8_t> poor(at.size(), 0);
-  for (const auto& [a, b, c] : mesh.triangles) {
-    if (smallest_angle(at[a], at[b], at[c]) < angle_min_deg * units::kRadPerDeg) poor[a] = poor[b] = poor[c] = 1;
+std::vector<std::uint8_t> poor_points(const PointSet& set, const Triangulation& mesh, double angle_min_deg) {
+  std::vector<std::uint8_t> poor(set.points.size(), 0);
+  for (const auto& triangle : mesh.triangles) {
+    if (smallest_angle(set, triangle) >= angle_min_deg * units::kRadPerDeg) continue;
+    for (int v : triangle) poor[v] = 1;
   }
   return poor;
 }
 
 /// Free points among the poor ones go to the middle of their triangles instead of where the springs push them: of some
 /// hundred thousand points a few are squeezed flat against the outline, and would leave the specimen.
-void mend(PointSet& set, const std::vector<Vec2>& at, const Triangulation& mesh, double angle_min_deg) {
-  const std::vector<std::uint8_t> poor = poor_points(at, mesh, angle_min_deg);
-  const std::vector<Vec2> middle = middles(at, mesh);
-  for (std::size_t i = 0; i < at.size(); ++i) {
+void mend(PointSet& set, const std::vector<std::uint8_t>& poor, const std::vector<Vec2>& middle) {
+  for (std::size_t i = 0; i < poor.size(); ++i) {
     if (poor[i] && set.points[i].freedom == Freedom::free) set.points[i].at = middle[i];
   }
 }
-
-/// Deviation over the one asked for from which on poor triangles are mended one by one.
-constexpr double kNearlyRelaxed = 1.15;
 
 bool met(const Regularity& r, const RelaxationGoal& goal) {
   return r.edge_deviation_mm <= goal.edge_deviation * r.edge_mean_mm && r.angle_min_deg >= goal.angle_min_deg;
@@ -93,15 +113,15 @@ bool met(const Regularity& r, const RelaxationGoal& goal) {
 
 }  // namespace
 
-Regularity measure_regularity(const std::vector<Vec2>& points, const Triangulation& mesh) {
+Regularity measure_regularity(const PointSet& set, const Triangulation& mesh) {
   double sum = 0.0, squares = 0.0, count = 0.0, angle = 4.0;
   for_each_edge(mesh, [&](int a, int b) {
-    const double length = norm(points[b] - points[a]);
+    const double length = norm(set.points[b].at - set.points[a].at);
     sum += length;
     squares += length * length;
     count += 1.0;
   });
-  for (const auto& [a, b, c] : mesh.triangles) angle = std::min(angle, smallest_angle(points[a], points[b], points[c]));
+  for (const auto& triangle : mesh.triangles) angle = std::min(angle, smallest_angle(set, triangle));
   const double mean = sum / count;
   return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean)), angle / units::kRadPerDeg};
 }
@@ -110,13 +130,33 @@ Relaxed relax(PointSet& set, const Outline& outline, const RelaxationGoal& goal)
   for (int iteration = 0;; ++iteration) {
     const std::vector<Vec2> at = positions(set);
     Triangulation mesh = triangulate(at, set.segments);
-    const Regularity regularity = measure_regularity(at, mesh);
+    const Regularity regularity = measure_regularity(set, mesh);
     if (met(regularity, goal) || iteration == goal.iterations) return {std::move(mesh), regularity};
+    const bool nearly =
+        regularity.edge_deviation_mm <= goal.mending_from * goal.edge_deviation * regularity.edge_mean_mm;
+    std::vector<std::uint8_t> poor;
+    if (nearly && regularity.angle_min_deg < goal.angle_min_deg) poor = poor_points(set, mesh, goal.angle_min_deg);
     const std::vector<Vec2> force = spring_forces(at, mesh, regularity.edge_mean_mm);
     for (std::size_t i = 0; i < at.size(); ++i) move(set.points[i], outline, force[i], regularity.edge_mean_mm);
-    const bool nearly = regularity.edge_deviation_mm <= kNearlyRelaxed * goal.edge_deviation * regularity.edge_mean_mm;
-    if (nearly && regularity.angle_min_deg < goal.angle_min_deg) mend(set, at, mesh, goal.angle_min_deg);
+    if (!poor.empty()) mend(set, poor, middles(at, mesh));
   }
+}
+
+bool drop_squeezed(PointSet& set, const Triangulation& mesh, double angle_min_deg) {
+  std::vector<bool> kept(set.points.size(), false);
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = set.points[i].freedom != Freedom::free;
+  for (const auto& triangle : mesh.triangles)
+    for (int v : triangle) kept[v] = true;
+  for (const auto& triangle : mesh.triangles) {
+    const bool whole = kept[triangle[0]] && kept[triangle[1]] && kept[triangle[2]];
+    if (!whole || smallest_angle(set, triangle) >= angle_min_deg * units::kRadPerDeg) continue;
+    if (const int point = bluntest_free_point(set, triangle); point >= 0) kept[point] = false;
+  }
+  std::vector<MeshPoint> left;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (kept[i]) left.push_back(set.points[i]);
+  set.points = std::move(left);
+  return set.points.size() < kept.size();
 }
 
 Relaxed smooth(PointSet& set, int iterations) {
@@ -125,7 +165,7 @@ Relaxed smooth(PointSet& set, int iterations) {
   for (int iteration = 0; iteration <= iterations; ++iteration) {
     const std::vector<Vec2> at = positions(set);
     Triangulation mesh = triangulate(at, set.segments);
-    const Regularity regularity = measure_regularity(at, mesh);
+    const Regularity regularity = measure_regularity(set, mesh);
     if (iteration == 0 || regularity.angle_min_deg > best.regularity.angle_min_deg) {
       best = {mesh, regularity};
       best_set = set;
