@@ -10,10 +10,10 @@
 namespace asperity {
 namespace {
 
-constexpr double kGrowth = 0.3;         // Of the edge, with the distance to the fine line.
-constexpr double kSpacing = 0.75;       // Over the edge: closest that two points are placed.
-constexpr double kRing = 1.6;           // Candidates lie at 1 to 1.6 spacings from an old point.
-constexpr int kCandidates = 30;         // For each old point (Bridson 2007).
+constexpr double kGrowth = 0.3;    // Of the edge, with the distance to the fine line.
+constexpr double kSpacing = 0.75;  // Over the edge: closest that two points are placed.
+constexpr double kRing = 1.6;      // Candidates lie at 1 to 1.6 spacings from an old point.
+constexpr int kCandidates = 30;    // For each old point (Bridson 2007).
 constexpr int kSmoothings = 40;
 constexpr double kSharpDeg = 25.0;
 

@@ -16,8 +16,9 @@ namespace asperity {
 namespace {
 
 constexpr double kSteepestDeg = 80.0;
-constexpr double kShortestPiece = 1.5;   // Over the particles' edge: a straight piece must hold an edge or two of them.
-constexpr double kSharpestFootDeg = 10.0;  // Of a zone that ends at the teeth's feet; sharper ones cannot be filled.
+constexpr double kShortestPiece = 1.5;  // Over the particles' edge: a straight piece must hold an edge or two of them.
+constexpr double kRounding = 1e-9;
+constexpr double kSharpestFootDeg = 12.0;  // Of a zone that ends at the teeth's feet; sharper ones cannot be filled.
 
 std::string rounded(double number) { return fmt::format("{:.4g}", number); }
 
@@ -93,9 +94,10 @@ void check_height(const Half& half, double coarse_mm, std::vector<Fault>& faults
 
 void check_depth(const Half& half, double edge_mm, std::vector<Fault>& faults) {
   if (half.depth_mm == 0.0 || half.depth_mm >= kShortestPiece * edge_mm) return;
-  faults.push_back({std::string(half.depth_key), "is no room for a layer of particles", number_text(half.depth_mm),
-                    fmt::format("0, or at least {} mm, 1.5 times /particles/edge_mm", rounded(kShortestPiece * edge_mm)),
-                    "enlarge it, or shorten the particles' edges"});
+  faults.push_back(
+      {std::string(half.depth_key), "is no room for a layer of particles", number_text(half.depth_mm),
+       fmt::format("0, or at least {} mm, 1.5 times /particles/edge_mm", rounded(kShortestPiece * edge_mm)),
+       "enlarge it, or shorten the particles' edges"});
 }
 
 void check_room(const Half& half, double coarse_mm, double edge_mm, std::vector<Fault>& faults) {
@@ -152,11 +154,12 @@ void check_pieces(const JointConfig& joint, const JointProfile& profile, double 
     pieces = {shortest};
   }
   for (const Piece& piece : pieces)
-    faults.push_back({piece.where, "a tooth finer than the particles' edge: the " + piece.name + " is too short",
-                      rounded(piece.length_mm) + " mm long",
-                      fmt::format("at least {} mm, 1.5 times /particles/edge_mm {}", rounded(least), number_text(edge_mm)),
-                      rough ? "leave points out, or shorten the particles' edges"
-                            : "enlarge it, or shorten the particles' edges (a gap may also be 0)"});
+    faults.push_back(
+        {piece.where, "a tooth finer than the particles' edge: the " + piece.name + " is too short",
+         rounded(piece.length_mm) + " mm long",
+         fmt::format("at least {} mm, 1.5 times /particles/edge_mm {}", rounded(least), number_text(edge_mm)),
+         rough ? "leave points out, or shorten the particles' edges"
+               : "enlarge it, or shorten the particles' edges (a gap may also be 0)"});
 }
 
 double sharpest_foot_deg(const JointProfile& profile) {
@@ -184,9 +187,9 @@ void check_feet(const JointConfig& joint, const JointProfile& profile, double ed
                       "give the particles a depth below the teeth"});
   };
   const double foot = sharpest_foot_deg(profile), thin = thinnest_mm(profile);
-  if (foot < kSharpestFootDeg)
+  if (foot < kSharpestFootDeg - kRounding)
     add(fmt::format("particles cannot fill the teeth alone, down to feet of {} degrees", rounded(foot)),
-        "above 0 mm where teeth rise at less than 10 degrees from the profile's lowest point");
+        "above 0 mm where teeth rise at less than 12 degrees from the profile's lowest point");
   if (thin < kShortestPiece * edge_mm)
     add(fmt::format("particles cannot fill the teeth alone where they are {} mm thin", rounded(thin)),
         fmt::format("above 0 mm where a corner is less than {} mm, 1.5 particle edges, above the lowest point",
@@ -201,8 +204,8 @@ void check_kind(const ParticleConfig& particles, std::vector<Fault>& faults) {
 
 void check_coarse_edge(const JointConfig& joint, double edge_mm, std::vector<Fault>& faults) {
   if (joint.coarse_edge_mm >= edge_mm) return;
-  faults.push_back({"/joint/coarse_edge_mm", "is shorter than the particles' edges",
-                    number_text(joint.coarse_edge_mm), "at least /particles/edge_mm " + number_text(edge_mm),
+  faults.push_back({"/joint/coarse_edge_mm", "is shorter than the particles' edges", number_text(joint.coarse_edge_mm),
+                    "at least /particles/edge_mm " + number_text(edge_mm),
                     "lengthen it, or shorten the particles' edges"});
 }
 

@@ -1,6 +1,7 @@
 #include "core/geometry/joint_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/units.hpp"
@@ -9,8 +10,6 @@ namespace asperity {
 namespace {
 
 constexpr double kMostScatter = 0.2;  // Of points along a line.
-constexpr double kSharpFootDeg = 25.0;
-constexpr double kExtraAtFoot = 0.4;  // Over the edge.
 
 /// Adds corners, and lines of points between them.
 class LineBuilder {
@@ -29,15 +28,12 @@ class LineBuilder {
     return sliding(begin, end, side, cuts(side.length()));
   }
 
-  /// The same for the lower side of a zone that ends in feet. Points of both sides of a sharp foot must not face each
-  /// other, so the first one here is kExtraAtFoot edges farther away.
-  std::vector<int> floor(int begin, int end, bool sharp_begin, bool sharp_end) {
-    const Side side = straight_side(at(begin), at(end));
-    const double first = sharp_begin ? kExtraAtFoot * edge_ : 0.0, last = sharp_end ? kExtraAtFoot * edge_ : 0.0;
-    std::vector<double> cut = cuts(side.length() - first - last);
-    for (std::size_t i = 1; i < cut.size(); ++i) cut[i] += first;
-    cut.back() = side.length();
-    return sliding(begin, end, side, cut);
+  /// Moves a sliding point along its line to a number of edges from the line's corner, and fixes it there.
+  void pin(int point, int corner, double edges) {
+    MeshPoint& moved = lines_.set.points[point];
+    const Vec2 d = moved.at - at(corner);
+    moved.at = at(corner) + (edges * edge_ / norm(d)) * d;
+    moved.freedom = Freedom::fixed;
   }
 
   /// Fixed points along a line of many short pieces, from one of its ends, a corner, to the other.
@@ -56,6 +52,7 @@ class LineBuilder {
   }
 
   Vec2 at(int point) const { return lines_.set.points[point].at; }
+  bool slides(int point) const { return lines_.set.points[point].freedom == Freedom::sliding; }
 
  private:
   std::vector<int> sliding(int begin, int end, const Side& side, const std::vector<double>& cut) {
@@ -104,6 +101,18 @@ struct JointLine {
   }
 };
 
+/// In a sharp corner the points of both lines must not face each other, or flat triangles follow. These distances leave
+/// no angle below 25 degrees but the corner's own, down to 12 degrees.
+void stagger(LineBuilder& builder, int corner, const std::array<int, 2>& on_one, int on_other) {
+  constexpr double kSharpDeg = 40.0;
+  const Vec2 u = builder.at(on_one[0]) - builder.at(corner), v = builder.at(on_other) - builder.at(corner);
+  if (std::atan2(std::abs(cross(u, v)), dot(u, v)) > kSharpDeg * units::kRadPerDeg) return;
+  if (!builder.slides(on_one[0]) || !builder.slides(on_one[1]) || !builder.slides(on_other)) return;
+  builder.pin(on_one[0], corner, 1.0);
+  builder.pin(on_other, corner, 1.35);
+  builder.pin(on_one[1], corner, 1.9);
+}
+
 JointLine add_joint(LineBuilder& builder, const JointProfile& profile) {
   JointLine joint;
   joint.points.push_back(builder.corner(profile.points.front()));
@@ -112,22 +121,25 @@ JointLine add_joint(LineBuilder& builder, const JointProfile& profile) {
     append(joint.points, builder.straight(joint.points.back(), builder.corner(profile.points[i])));
     joint.corner.push_back(joint.points.size() - 1);
   }
+  for (std::size_t i = 1; i + 1 < joint.corner.size(); ++i) {
+    const std::size_t at = joint.corner[i];
+    if (at > 1) stagger(builder, joint.points[at], {joint.points[at - 1], joint.points[at - 2]}, joint.points[at + 1]);
+  }
   return joint;
 }
 
-/// A zone below the joint between two of its corners, down to a floor; with a wall where the corner is not on the floor.
+/// A zone below the joint between two of its corners, down to a floor; with a wall where the corner is not on the
+/// floor.
 void add_zone_below(LineBuilder& builder, JointLines& lines, const std::vector<int>& above, double floor_y) {
   const auto foot = [&](int corner) {
     const Vec2 p = builder.at(corner);
     return p.y == floor_y ? corner : builder.corner({p.x, floor_y});
   };
-  const auto sharp = [&](int corner, int next) {
-    const Vec2 d = builder.at(next) - builder.at(corner);
-    return builder.at(corner).y == floor_y && d.y < std::abs(d.x) * std::tan(kSharpFootDeg * units::kRadPerDeg);
-  };
   const int left = foot(above.front()), right = foot(above.back());
-  const std::vector<int> floor = builder.floor(left, right, sharp(above.front(), above[1]),
-                                               sharp(above.back(), above[above.size() - 2]));
+  const std::vector<int> floor = builder.straight(left, right);
+  if (left == above.front()) stagger(builder, left, {above[1], above[2]}, floor[1]);
+  if (right == above.back())
+    stagger(builder, right, {above[above.size() - 2], above[above.size() - 3]}, floor[floor.size() - 2]);
   std::vector<int> zone = above;
   if (right != above.back()) append(zone, builder.straight(above.back(), right));
   append_reversed(zone, floor);

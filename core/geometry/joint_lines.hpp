@@ -17,7 +17,8 @@ struct JointLines {
   std::vector<int> joint;
   std::vector<int> lower_border;  ///< Between the lower half's elastic part and the particles, or the joint itself.
   std::vector<int> upper_border;  ///< The same in the upper half.
-  std::vector<std::vector<int>> zones;  ///< Closed border of each particle zone. Any number of them: a tooth may be one.
+  std::vector<std::vector<int>>
+      zones;  ///< Closed border of each particle zone. Any number of them: a tooth may be one.
 };
 
 /// Distances between the points of a line.
@@ -26,9 +27,9 @@ struct LineSpacing {
   double scatter;  ///< Relative standard deviation.
 };
 
-/// The lower particles reach down to a level damage_depth_lower_mm below the profile's lowest point, the upper ones up to
-/// the roof, Eq. (G11); neither nearer than coarse_edge_mm to the half's outer edge. A depth of 0 leaves, in the lower
-/// half, the teeth above the lowest point; in the upper half nothing.
+/// The lower particles reach down to a level damage_depth_lower_mm below the profile's lowest point, the upper ones up
+/// to the roof, Eq. (G11); neither nearer than coarse_edge_mm to the half's outer edge. A depth of 0 leaves, in the
+/// lower half, the teeth above the lowest point; in the upper half nothing.
 JointLines joint_lines(const JointConfig& joint, const JointProfile& profile, const LineSpacing& spacing,
                        RandomStream& random);
 

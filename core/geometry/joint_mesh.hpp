@@ -24,8 +24,8 @@ struct JointMesh {
 /// each half is one grain of triangles that grow from there to coarse_edge_mm, Eq. (G12). With breakable false the mesh
 /// is the same, but all of a half is its elastic grain. Depends on the configurations alone: the same seed gives the
 /// same bytes. Throws Error(config) with all of joint_faults; Error(numerical) naming seed and figures where the asked
-/// quality (mean within 3 %, 25 degrees in particles and 20 in the rest, sharper corners of the outline aside) is out of
-/// reach.
+/// quality (mean within 3 %, 25 degrees in particles and 20 in the rest, sharper corners of the outline aside) is out
+/// of reach.
 JointMesh make_joint_mesh(const JointConfig& joint, const ParticleConfig& particles);
 
 }  // namespace asperity

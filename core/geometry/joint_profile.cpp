@@ -108,8 +108,7 @@ JointProfile joint_profile(const JointConfig& joint) {
   std::vector<Fault> faults = profile_faults(joint);
   if (!faults.empty()) throw Error(ErrorKind::config, std::move(faults));
   JointProfile profile;
-  profile.points =
-      without_collinear(joint.points_mm.empty() ? points_of_teeth(joint) : moved_to_zero(joint.points_mm));
+  profile.points = without_collinear(joint.points_mm.empty() ? points_of_teeth(joint) : moved_to_zero(joint.points_mm));
   profile.teeth = find_teeth(profile.points);
   return profile;
 }

@@ -9,9 +9,9 @@ namespace asperity {
 
 /// One tooth of the lower half: a part of the profile above the joint's plane that first rises, then falls.
 struct ToothSpan {
-  double begin_mm, crest_mm, end_mm;          ///< x of both feet and of the crest (of a flat crest, its middle).
-  double height_mm;                           ///< Of the crest above the plane.
-  double front_angle_deg, back_angle_deg;     ///< Of the lines from the feet to the crest, against the plane.
+  double begin_mm, crest_mm, end_mm;       ///< x of both feet and of the crest (of a flat crest, its middle).
+  double height_mm;                        ///< Of the crest above the plane.
+  double front_angle_deg, back_angle_deg;  ///< Of the lines from the feet to the crest, against the plane.
 };
 
 /// Surface of the lower half: a line of straight pieces over x. The joint's plane is y = 0.

@@ -50,8 +50,9 @@ TEST_CASE("every fault of the teeth is found at once, each once") {
   JointConfig joint;
   joint.profile = {{0.0, 5.0, 3.5}, {80.0, 0.0, -1.0}, {-5.0, -1.0, 0.0}};
   joint.end_gap_mm = -2.0;
-  const Places wanted{"/joint/profile/0/angle_deg",     "/joint/profile/1/angle_deg", "/joint/profile/1/height_mm",
-                      "/joint/profile/1/gap_before_mm", "/joint/profile/2/angle_deg", "/joint/profile/2/height_mm",
+  const Places wanted{"/joint/profile/0/angle_deg", "/joint/profile/1/angle_deg",
+                      "/joint/profile/1/height_mm", "/joint/profile/1/gap_before_mm",
+                      "/joint/profile/2/angle_deg", "/joint/profile/2/height_mm",
                       "/joint/end_gap_mm"};
   CHECK(faulty(joint) == wanted);
   try {
@@ -103,8 +104,7 @@ TEST_CASE("a tooth finer than the edge") {
   JointConfig joint;
   joint.profile = {{30.0, 0.3, 0.7}, {30.0, 5.0, 0.0}};
   joint.end_gap_mm = 0.1;
-  CHECK(faulty(joint) ==
-        Places{"/joint/profile/0/gap_before_mm", "/joint/profile/0/height_mm", "/joint/end_gap_mm"});
+  CHECK(faulty(joint) == Places{"/joint/profile/0/gap_before_mm", "/joint/profile/0/height_mm", "/joint/end_gap_mm"});
   CHECK(faulty(joint, 0.05) == Places{});
 }
 
