@@ -95,7 +95,7 @@ struct JointConfig {
   double lower_height_mm = 20.0, upper_height_mm = 20.0;  ///< Of the halves, from the joint's plane.
   /// Breakable particles reach this far below the lower half's lowest point, and above the profile in the upper half.
   double damage_depth_lower_mm = 2.0, damage_depth_upper_mm = 2.0;
-  double coarse_edge_mm = 4.0;  ///< Largest edge in the elastic rest of the halves.
+  double coarse_edge_mm = 4.0;  ///< Usual edge far from the joint, in the elastic rest of the halves.
   bool breakable = true;        ///< False: both halves are elastic throughout.
   bool operator==(const JointConfig&) const = default;
 };
