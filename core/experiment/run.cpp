@@ -23,7 +23,7 @@ void count(const Model& model, Sample& s, const ParallelLoops& loops) {
   s.contacts_softening = cracks.softening;
 }
 
-/// Direct shear, Eqs. (M30)-(M33): the stresses are means over the sample's steps of the forces on the upper block.
+/// Direct shear: the stresses are means over the sample's steps of the forces on the upper block.
 void measure_shear(const Model& model, const RunState& state, Sample& s) {
   const double length = model.joint.profile.length(), thickness = model.config.experiment.thickness_mm;
   const double steps = static_cast<double>(std::max<std::int64_t>(1, state.steps_in_sample));

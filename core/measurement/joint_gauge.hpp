@@ -27,7 +27,7 @@ struct ToothReading {
   int cracks = 0;            ///< Broken contacts in the tooth.
 };
 
-/// What is read off a joint beside the blocks' reactions.
+/// What is read off a joint; stress on the plan area by Eq. (M30).
 struct JointReading {
   double normal_stress_mpa = 0;  ///< On the plan area.
   DilationReading dilation;

@@ -46,7 +46,8 @@ TEST_CASE("uniaxial compression has no confining pressure, diameter or ramp") {
   CHECK(only_fault(kUniaxial, "/experiment/diameter_mm=54").hint == "compression has width_mm and height_mm");
   CHECK(only_fault(kTriaxial, "/experiment/diameter_mm=54").allowed == "only for a Brazilian disc");
   CHECK(only_fault(kUniaxial, "/experiment/loading/ramp_time_s=0.001").where == "/experiment/loading/ramp_time_s");
-  CHECK(only_fault(kUniaxial, "/experiment/loading/confinement_time_s=0.001").allowed == "only in a triaxial test");
+  CHECK(only_fault(kUniaxial, "/experiment/loading/confinement_time_s=0.001").allowed ==
+        "only in triaxial tests and direct shear");
 }
 
 TEST_CASE("stages have no rate control and no elastic start") {

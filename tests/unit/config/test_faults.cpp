@@ -157,7 +157,7 @@ TEST_CASE("a word that is not allowed names the words and the nearest one") {
   const Refusal r = refusal(R"({"experiment": {"type": "brasilian"}, "contacts": {"law": {"reading": "consistent"}},
                                "output": {"fields": ["damage", "crackz", "damage"]}})");
   CHECK(r.faults.size() == 4);
-  CHECK(r.at("/experiment/type").allowed == R"("uniaxial", "triaxial" or "brazilian")");
+  CHECK(r.at("/experiment/type").allowed == R"("uniaxial", "triaxial", "brazilian" or "direct_shear")");
   CHECK(r.at("/experiment/type").hint == R"(did you mean "brazilian"?)");
   CHECK(r.at("/contacts/law/reading").value == R"("consistent")");
   CHECK(r.at("/contacts/law/reading").allowed == R"("literal" or "default")");
@@ -178,7 +178,7 @@ TEST_CASE("arrays of the wrong length, and names that are no folder names") {
 
 TEST_CASE("the experiment and its type are required") {
   CHECK(refusal("{}").at("/experiment").what == "is missing");
-  CHECK(refusal(R"({"experiment": {}})").at("/experiment/type").allowed == R"("uniaxial", "triaxial" or "brazilian")");
+  CHECK(refusal(R"({"experiment": {}})").at("/experiment/type").allowed == R"("uniaxial", "triaxial", "brazilian" or "direct_shear")");
 }
 
 TEST_CASE("faults of every kind come at once, each once") {

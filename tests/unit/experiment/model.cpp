@@ -78,7 +78,7 @@ TEST_CASE("a disc has neither flanks nor gauges") {
   const Model model = small_model(small_config(ExperimentType::brazilian));
   CHECK(model.system.flank.edges.empty());
   CHECK(model.gauges.axial_base_mm == 0.0);
-  CHECK(specimen_height(model.config.experiment) == 54.0);
+  CHECK(specimen_length(model.config) == 54.0);
 }
 
 TEST_CASE("the flanks are both sides in full, each edge with the specimen on its left") {
