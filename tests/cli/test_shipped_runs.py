@@ -33,7 +33,7 @@ class Quickstart(CommandLineTest):
         # 2.59 MPa on this mesh; the order of breakage is chaotic, so another processor may find a few per cent more or less.
         self.assertTrue(2.2 < found["results"]["tensile_strength_mpa"] < 3.0, found["results"])
         self.assertGreater(found["cracks"]["tension"], 5)
-        self.assertLess(found["cracks"]["largest_fragment_share"], 0.8)  # the disc is split
+        self.assertTrue(found["failure_mode"]["at_end"]["splits"], found["failure_mode"])  # from jaw to jaw along cracks, M25
         self.assertEqual(found["warnings"], [])
         self.assertGreaterEqual(len(list((out / "frames").glob("cracks_*.png"))), 10)
         load = os.getloadavg()[0] / os.cpu_count()
