@@ -67,7 +67,7 @@ class Recovery(CommandLineTest):
             self.assertEqual(run.returncode, 0, run.stderr[-2000:])
             result = json.loads((out / "calibration.json").read_text())
             solutions = result["solutions"] or [result["compromise"]]
-            hits = [all(s["region"]["lower"][p] is None or s["region"]["lower"][p] <= truth[p] <= s["region"]["upper"][p] for p in FACTORS) for s in solutions]
+            hits = [all(s["region"]["lower"][p] is not None and s["region"]["lower"][p] <= truth[p] <= s["region"]["upper"][p] for p in FACTORS) for s in solutions]
             told = [{p: (s["region"]["lower"][p], s["region"]["upper"][p]) for p in FACTORS} for s in solutions]
             print(f"laboratory {number + 1}: C {cohesion}, phi {friction}; truth {truth}; regions {told}; inside {any(hits)}")
             inside.append(any(hits))
