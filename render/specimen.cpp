@@ -189,7 +189,7 @@ void draw_blocks(Drawing& drawing, const Frame& frame, const View& view, double 
   };
   const FrameJoint& joint = frame.joint;
   draw({rest.low.x + joint.shear_mm, rest.low.y - view.platen_mm}, {rest.high.x + joint.shear_mm, rest.low.y});
-  draw({rest.low.x, rest.high.y + joint.dilation_mm}, {rest.high.x, rest.high.y + joint.dilation_mm + view.platen_mm});
+  draw({rest.low.x, rest.high.y + joint.lift_mm}, {rest.high.x, rest.high.y + joint.lift_mm + view.platen_mm});
 }
 
 void draw_platens(Drawing& drawing, const Frame& frame, const View& view, double unit) {

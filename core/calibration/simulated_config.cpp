@@ -85,6 +85,9 @@ void read_suite(SimulatedCalibration& c, const json& document, const fs::path& f
   }
   throw_if(faults);
   const std::string list = document.at("tests").dump();
+  if (count(c.suite, ExperimentType::direct_shear) > 0)
+    faults.push_back({"/tests", "has a direct shear test, which is predicted and not calibrated to", list,
+                      "Brazilian, uniaxial and triaxial tests", "remove it"});
   if (count(c.suite, ExperimentType::uniaxial) != 1)
     faults.push_back({"/tests", "must have one uniaxial test, for E, nu and the uniaxial strength", list, "", ""});
   if (find_target(c.targets, "tensile_strength_mpa") && count(c.suite, ExperimentType::brazilian) != 1)

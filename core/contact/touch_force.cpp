@@ -82,7 +82,7 @@ Vec2 entry_force(const TouchContext& c, Touch& touch, int i, const Entry& entry,
   const double normal = 0.5 * touch.weight * touch.k_n * other.inverse_jacobian * edge * touch.parts[i].m0;
   if (!is_exposed(c.general, entry)) return (-normal) * point.normal();
   double& deepest = touch.weight >= 0.5 ? losses.deepest : losses.deepest_handing_over;
-  deepest = std::max(deepest, touch.parts[i].deepest);
+  deepest = std::max(deepest, touch.parts[i].deepest + c.general.pairs[touch.pair].seat);
   EdgeFriction& f = touch.friction[i];
   EntryMotion motion = old_motion(c, entry, f);
   const Vec2 moved = relative_motion(c, entry, point);

@@ -1,7 +1,6 @@
 #include "core/experiment/joint.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "core/base/error.hpp"
 #include "core/base/units.hpp"

@@ -122,7 +122,8 @@ Frame frame_of(const Model& model, const RunState& state) {
   if (model.config.experiment.type != ExperimentType::direct_shear) return frame;
   const JointProfile& profile = model.joint.profile;
   frame.joint = {profile.length(), profile.highest() - profile.lowest(), model.config.experiment.stop.shear_displacement_mm,
-                 closure(model, state.loading), model.system.blocks[kUpperBlock].displacement.y};
+                 closure(model, state.loading), state.samples.back().joint.dilation.mean,
+                 model.system.blocks[kUpperBlock].displacement.y};
   for (const std::uint8_t lower : model.joint.gauge.lower) frame.half.push_back(lower ? 0 : 1);
   return frame;
 }
