@@ -16,7 +16,7 @@ const std::map<std::string, Quantity>& known() {
       {"uniaxial_strength_mpa", {"uniaxial strength", "σ_c", "MPa"}},
       {"cohesion_mpa", {"cohesion", "C", "MPa"}},
       {"friction_angle_deg", {"friction angle", "φ", "°"}},
-      {"disc_tension_crack_share", {"tension share of the disc's cracks", "", "–"}},
+      {"disc_tension_crack_share", {"tension share, disc", "", "–"}},
       {"mohr_coulomb_residual_mpa", {"Mohr-Coulomb residual", "", "MPa"}}};
   return table;
 }

@@ -10,6 +10,12 @@ namespace {
 
 constexpr double kNegligible = 1e-9;  // of the frame's largest force: rounding, not load
 
+/// Number of what a force ends at: a particle, or one triangle of a joint's elastic part, whose middle lies far away.
+int particle_of(const Particles& p, std::size_t triangle) {
+  const bool elastic = !p.in_bulk.empty() && p.in_bulk[triangle];
+  return elastic ? static_cast<int>(p.triangle_count() + triangle) : p.grain[triangle];
+}
+
 /// What the contact edges between two particles add up to, forces in N.
 struct PairForce {
   int left_particle = 0, right_particle = 0;
@@ -37,7 +43,8 @@ std::vector<PairForce> pair_forces(const BondedContacts& contacts, const Particl
   std::map<std::pair<int, int>, std::size_t> place;
   std::vector<PairForce> pairs;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const int left = p.grain[contacts.edges[c].left_triangle()], right = p.grain[contacts.edges[c].right_triangle()];
+    const int left = particle_of(p, contacts.edges[c].left_triangle());
+    const int right = particle_of(p, contacts.edges[c].right_triangle());
     const auto [entry, is_new] = place.try_emplace(std::minmax(left, right), pairs.size());
     if (is_new) pairs.push_back({left, right, 0, 0, 0, {}, false});
     add_edge(pairs[entry->second], contacts, c, p, thickness_mm);
@@ -62,7 +69,7 @@ std::vector<Vec2> particle_centres(const Particles& p) {
   std::vector<Vec2> centre;
   std::vector<double> area;
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
-    const std::size_t particle = p.grain[t];
+    const std::size_t particle = static_cast<std::size_t>(particle_of(p, t));
     if (particle >= centre.size()) {
       centre.resize(particle + 1);
       area.resize(particle + 1, 0.0);
@@ -96,7 +103,7 @@ std::vector<ContactForce> general_contact_forces(const GeneralContacts& general,
   if (general.touches.empty()) return forces;
   const std::vector<Vec2> centre = particle_centres(p);
   for (const TouchForce& touch : touch_forces(general)) {
-    forces.push_back({centre[p.grain[touch.triangle_a]], centre[p.grain[touch.triangle_b]], touch.point,
+    forces.push_back({centre[particle_of(p, touch.triangle_a)], centre[particle_of(p, touch.triangle_b)], touch.point,
                       touch.normal * thickness_mm, touch.shear * thickness_mm, ContactKind::general});
   }
   return forces;

@@ -9,7 +9,8 @@
 namespace asperity {
 
 /// Centroid of every particle where it is now, mm, Eq. (M13); a particle is one triangle, or the triangles of one
-/// grain. Indexed as Particles::grain numbers the particles.
+/// grain. Indexed as Particles::grain numbers the particles; the triangles of a joint's elastic part follow, each at
+/// triangle_count() plus its number.
 std::vector<Vec2> particle_centres(const Particles& particles);
 
 /// Forces between particles that share contact edges, Eq. (M12): the edges of one pair are one contact, bonded
