@@ -26,29 +26,46 @@ bool overlap(const PresentTriangle& a, const PresentTriangle& b, double stiffeni
   return inside > 0.0;
 }
 
+/// Part of an inradius that counts as room beyond a seat, however deep that is.
+constexpr double kLeastRoom = 0.25;
+
 double deepest_of(const std::array<EdgePart, 6>& parts) {
   double deepest = 0.0;
   for (const EdgePart& part : parts) deepest = std::max(deepest, part.deepest);
   return deepest;
 }
 
+/// I_A + I_B of Eq. (C42), mm3.
+double overlap_potentials(const GeneralContacts& general, const MemberPair& pair) {
+  const PresentTriangle &a = general.frames[pair.a], &b = general.frames[pair.b];
+  return overlap_potential(a, b.x, general.stiffening, pair.seat) +
+         overlap_potential(b, a.x, general.stiffening, pair.seat);
+}
+
 double inradius(const PresentTriangle& t) { return 1.0 / (1.0 / t.height[0] + 1.0 / t.height[1] + 1.0 / t.height[2]); }
 
-/// Most of an inradius that a seat may take: the rest must be able to hold the two apart.
-constexpr double kMostSeat = 0.5;
-
-/// Eq. (C54): where neighbours overlap when they begin to meet, and less as soon as they overlap less.
-void seat_neighbours(const GeneralContacts& general, MemberPair& pair) {
-  if (!pair.neighbours || pair.seat == 0.0) return;
+/// Eq. (C54): where neighbours overlap when they begin to meet; more as the bonds that still hold them let them slip on,
+/// less as soon as they overlap less. Returns the overlap potential (mm3, at the old weight 1) that yielding gave up.
+double seat_neighbours(const GeneralContacts& general, double weight, MemberPair& pair) {
+  if (!pair.neighbours || (pair.seat == 0.0 && weight >= kTakenOver)) return 0.0;
   const PresentTriangle &a = general.frames[pair.a], &b = general.frames[pair.b];
   std::array<EdgePart, 6> parts;
   if (!overlap(a, b, general.stiffening, 0.0, parts)) {
     pair.seat = kUnseated;
-    return;
+    return 0.0;
   }
-  const double deepest = deepest_of(parts);
-  const double first = std::clamp(deepest - general.play, 0.0, kMostSeat * std::min(inradius(a), inradius(b)));
-  pair.seat = pair.seat == kUnseated ? first : std::min(pair.seat, deepest);
+  const double deepest = deepest_of(parts), yielding = std::max(0.0, deepest - general.play);
+  if (pair.seat == kUnseated) {
+    pair.seat = yielding;
+    return 0.0;
+  }
+  if (weight >= kTakenOver || yielding <= pair.seat) {
+    pair.seat = std::min(pair.seat, deepest);
+    return 0.0;
+  }
+  const double before = overlap_potentials(general, pair);
+  pair.seat = yielding;
+  return before - overlap_potentials(general, pair);
 }
 
 /// Brings the touches of pairs [begin, end) up to date and marks them alive; returns those that begin, in order.
@@ -60,12 +77,13 @@ std::vector<Touch> update_touches(GeneralContacts& general, const BondedContacts
     MemberPair& pair = general.pairs[p];
     const double weight = pair_weight(general, bonded, pair);
     if (weight <= 0.0) continue;
-    seat_neighbours(general, pair);
+    const double yielded = seat_neighbours(general, weight, pair);
     if (pair.seat == kUnseated) continue;
     if (!overlap(general.frames[pair.a], general.frames[pair.b], general.stiffening, pair.seat, parts)) continue;
     if (pair.touch < 0) begun.emplace_back().pair = static_cast<int>(p);
     Touch& touch = pair.touch < 0 ? begun.back() : general.touches[pair.touch];
     touch.weight = weight;
+    touch.yielded = pair.touch < 0 ? 0.0 : yielded;
     touch.handing_over = pair.chain_size > 0;
     touch.parts = parts;
     if (pair.touch >= 0) general.alive[pair.touch] = 1;
@@ -131,11 +149,7 @@ void enter_changes(GeneralContacts& general, const std::vector<Touch>& ended) {
 
 /// Potential of a pair at weight 1, Eq. (C42).
 double pair_potential(const GeneralContacts& general, const Touch& touch) {
-  const MemberPair& pair = general.pairs[touch.pair];
-  const PresentTriangle &a = general.frames[pair.a], &b = general.frames[pair.b];
-  return 0.5 * touch.k_n *
-         (overlap_potential(a, b.x, general.stiffening, pair.seat) +
-          overlap_potential(b, a.x, general.stiffening, pair.seat));
+  return 0.5 * touch.k_n * overlap_potentials(general, general.pairs[touch.pair]);
 }
 
 /// Forces of all touches, added to those of the triangles' corners.
@@ -153,6 +167,7 @@ void press(GeneralContacts& general, const Particles& particles, double time_ste
   general.damping_energy += losses.damping;
   general.largest_depth = std::max(general.largest_depth, losses.deepest);
   general.largest_depth_handing_over = std::max(general.largest_depth_handing_over, losses.deepest_handing_over);
+  general.largest_seat = std::max(general.largest_seat, losses.deepest_seat);
   for (std::size_t t = 0; t < general.touches.size(); ++t) {
     const MemberPair& pair = general.pairs[general.touches[t].pair];
     const int a = 3 * general.members[pair.a].triangle, b = 3 * general.members[pair.b].triangle;
@@ -229,11 +244,13 @@ GeneralContactEnergies general_contact_energies(const GeneralContacts& general, 
 DeepestTouch deepest_touch(const GeneralContacts& general) {
   DeepestTouch deepest;
   for (const Touch& touch : general.touches) {
+    if (touch.weight < kTakenOver) continue;
     for (int i = 0; i < 6; ++i) {
       const Entry entry = entry_of(general.pairs[touch.pair], i);
       if (!is_exposed(general, entry)) continue;
-      const double depth = touch.parts[i].deepest + general.pairs[touch.pair].seat;
-      const double share = depth / inradius(general.frames[entry.other]);
+      const double radius = inradius(general.frames[entry.other]);
+      const double room = std::max(radius - general.pairs[touch.pair].seat, kLeastRoom * radius);
+      const double share = touch.parts[i].deepest / room;
       if (share > deepest.share) deepest = {share, general.frames[entry.own].x[entry.k]};
     }
   }

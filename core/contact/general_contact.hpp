@@ -69,14 +69,18 @@ struct Touch {
   int handing_over = 0;  ///< 1 where bonded contacts still share the pair, weight < 1.
   double weight = 1;
   double k_n = 0, k_s = 0;  ///< Penalties of the two surfaces together, fixed at first touch, MPa/mm.
+  double yielded = 0;  ///< Overlap potential that its seat gave up in the last update, mm3, Eq. (C54).
   std::array<EdgePart, 6> parts;
   std::array<EdgeFriction, 6> friction;
 };
 
+/// A pair of this weight or more has taken over from the bonds.
+inline constexpr double kTakenOver = 0.5;
+
 /// Forces on the corners of two touching triangles: first a's, then b's. N per mm of thickness.
 using PairForces = std::array<Vec2, 6>;
 
-/// Members, pairs within reach, and the contacts alive. Everything up to `largest_depth_handing_over` is the state
+/// Members, pairs within reach, and the contacts alive. Everything up to `largest_seat` is the state
 /// of a run.
 struct GeneralContacts {
   GeneralContactLaw law;
@@ -95,6 +99,7 @@ struct GeneralContacts {
   double friction_energy = 0, damping_energy = 0;  ///< N mm per mm of thickness, up to now.
   double largest_depth = 0;                        ///< mm, in the whole run, Eq. (C52).
   double largest_depth_handing_over = 0;           ///< The same of contacts of less than half their weight.
+  double largest_seat = 0;                         ///< mm, Eq. (C54).
 
   std::vector<PresentTriangle> frames;  ///< Of the members, at the last update.
   SlipLedger ledger;                    ///< Work space, like all below.
@@ -130,7 +135,8 @@ struct GeneralContactEnergies {
 };
 GeneralContactEnergies general_contact_energies(const GeneralContacts& general, const ParallelLoops& loops);
 
-/// The contact alive that is deepest over the inradius of the triangle it reaches into, Eq. (C52); share 0: none.
+/// The contact taken over (W >= 1/2) that is deepest beyond its seat, over what the inradius of the triangle it reaches
+/// into leaves it; share 0: none.
 struct DeepestTouch {
   double share = 0;
   Vec2 place;  ///< mm

@@ -255,18 +255,27 @@ void carry_over(GeneralContacts& general, const std::vector<PairMemory>& memorie
   general.touches = std::move(kept);
 }
 
+/// Over the triangles outside elastic parts, which may be much coarser; over all where there are only those. mm.
+double mean_particle_edge(const Particles& particles) {
+  const std::vector<std::uint8_t>& bulk = particles.in_bulk;
+  const bool all = std::find(bulk.begin(), bulk.end(), 0) == bulk.end();
+  double length = 0.0, edges = 0.0;
+  for (std::size_t t = 0; t < particles.triangle_count(); ++t) {
+    if (!all && bulk[t]) continue;
+    const auto& n = particles.triangles[t];
+    for (int k = 0; k < 3; ++k) length += norm(particles.reference(n[(k + 1) % 3]) - particles.reference(n[k]));
+    edges += 3.0;
+  }
+  return length / edges;
+}
+
 }  // namespace
 
 GeneralContacts make_general_contacts(const Particles& particles, const GeneralContactLaw& law) {
   GeneralContacts general;
   general.law = law;
   if (!law.enabled) return general;
-  double length = 0.0;
-  for (std::size_t t = 0; t < particles.triangle_count(); ++t) {
-    const auto& n = particles.triangles[t];
-    for (int k = 0; k < 3; ++k) length += norm(particles.reference(n[(k + 1) % 3]) - particles.reference(n[k]));
-  }
-  const double mean_edge = length / (3.0 * static_cast<double>(particles.triangle_count()));
+  const double mean_edge = mean_particle_edge(particles);
   general.skin = kSkin * mean_edge;
   general.play = kPlay * mean_edge;
   general.stiffening = 1.0 / (kStiffeningDepth * kStiffeningDepth * mean_edge * mean_edge);

@@ -81,8 +81,9 @@ Vec2 entry_force(const TouchContext& c, Touch& touch, int i, const Entry& entry,
   const double edge = edge_length(own, entry.k);
   const double normal = 0.5 * touch.weight * touch.k_n * other.inverse_jacobian * edge * touch.parts[i].m0;
   if (!is_exposed(c.general, entry)) return (-normal) * point.normal();
-  double& deepest = touch.weight >= 0.5 ? losses.deepest : losses.deepest_handing_over;
-  deepest = std::max(deepest, touch.parts[i].deepest + c.general.pairs[touch.pair].seat);
+  double& deepest = touch.weight >= kTakenOver ? losses.deepest : losses.deepest_handing_over;
+  deepest = std::max(deepest, touch.parts[i].deepest);
+  losses.deepest_seat = std::max(losses.deepest_seat, c.general.pairs[touch.pair].seat);
   EdgeFriction& f = touch.friction[i];
   EntryMotion motion = old_motion(c, entry, f);
   const Vec2 moved = relative_motion(c, entry, point);
@@ -117,6 +118,7 @@ void end_entry(const TouchContext& c, Touch& touch, int i, const Entry& entry, S
 
 PairForces touch_force(const TouchContext& c, Touch& touch, StepLosses& losses) {
   PairForces forces;
+  losses.friction += 0.5 * touch.k_n * touch.weight * touch.yielded;
   for (int i = 0; i < 6; ++i) {
     const Entry entry = entry_of(c.general.pairs[touch.pair], i);
     if (touch.parts[i].m0 <= 0.0) {

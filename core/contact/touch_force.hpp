@@ -8,12 +8,13 @@ namespace asperity {
 
 /// Energies spent in one step (N mm per mm of thickness), and the deepest overlaps (mm), Eq. (C52).
 struct StepLosses {
-  double friction = 0, damping = 0, deepest = 0, deepest_handing_over = 0;
+  double friction = 0, damping = 0, deepest = 0, deepest_handing_over = 0, deepest_seat = 0;
   StepLosses& operator+=(const StepLosses& o) {
     friction += o.friction;
     damping += o.damping;
     deepest = std::max(deepest, o.deepest);
     deepest_handing_over = std::max(deepest_handing_over, o.deepest_handing_over);
+    deepest_seat = std::max(deepest_seat, o.deepest_seat);
     return *this;
   }
 };

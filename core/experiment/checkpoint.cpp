@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::string_view kMagic = "asperity checkpoint 7\n";
+constexpr std::string_view kMagic = "asperity checkpoint 8\n";
 constexpr std::size_t kDigest = 64;
 
 /// Appends plain values and vectors of them to a byte string, each with its size, so that other code's layout is seen.
@@ -87,6 +87,7 @@ void exchange_general(Archive& archive, General& general) {
   archive(general.damping_energy);
   archive(general.largest_depth);
   archive(general.largest_depth_handing_over);
+  archive(general.largest_seat);
 }
 
 template <class Archive, class Block>

@@ -147,7 +147,7 @@ bool general_holds(const System& read) {
   return members_hold(g.members, read.particles.triangle_count()) && pairs_hold(g) &&
          broken_contacts_hold(g.chain_contacts, read.contacts) && broken_contacts_hold(g.handing_over, read.contacts) &&
          within(g.travel, 0.0, std::numeric_limits<double>::max()) && g.searches >= 0 && g.searches <= read.step + 1 &&
-         all_finite({g.friction_energy, g.damping_energy, g.largest_depth, g.largest_depth_handing_over});
+         all_finite({g.friction_energy, g.damping_energy, g.largest_depth, g.largest_depth_handing_over, g.largest_seat});
 }
 
 /// Not more than there were steps, nor than the counter can hold with room to go on.

@@ -114,6 +114,7 @@ Json contact_entries(const Model& model) {
           {"largest_overlap_mm", general.largest_depth},
           {"largest_overlap_over_edge", general.largest_depth / model.config.particles.edge_mm},
           {"largest_overlap_handing_over_mm", general.largest_depth_handing_over},
+          {"largest_seat_mm", general.largest_seat},
           {"searches", general.searches}};
 }
 

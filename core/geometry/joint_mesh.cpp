@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -90,11 +92,21 @@ GradedFilling fill_elastic(const JointLines& lines, const std::vector<int>& bord
   return filling;
 }
 
+/// Pieces of a line of points, each as its two points in ascending order.
+std::set<std::array<int, 2>> pieces_of(const std::vector<int>& line) {
+  std::set<std::array<int, 2>> pieces;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    pieces.insert({std::min(line[i - 1], line[i]), std::max(line[i - 1], line[i])});
+  return pieces;
+}
+
 /// Puts the parts together; each half numbers the points of the particle zones anew, those of the joint too.
 class Assembly {
  public:
-  Assembly(const PointSet& particles, bool breakable) : particles_(particles), breakable_(breakable) {
-    for (std::vector<int>& v : vertex_) v.assign(particles.points.size(), -1);
+  Assembly(const JointLines& lines, bool breakable)
+      : particles_(lines.set), breakable_(breakable), border_{pieces_of(lines.lower_border),
+                                                              pieces_of(lines.upper_border)} {
+    for (std::vector<int>& v : vertex_) v.assign(particles_.points.size(), -1);
   }
 
   /// Half 0 is the lower one. The filling's first points are those of `border`.
@@ -112,10 +124,11 @@ class Assembly {
     Vec2 centroid{};
     for (int p : points) centroid += (1.0 / 3.0) * particles_.points[p].at;
     const int half = centroid.y < profile.height_at(centroid.x) ? 0 : 1;
-    const int grain = breakable_ ? static_cast<int>(mesh_.triangles.size()) : grain_[half];
+    const bool particle = breakable_ && !on_border(half, points);
+    const int grain = particle ? static_cast<int>(mesh_.triangles.size()) : grain_[half];
     const JointZone zone = half == 0 ? JointZone::lower_particles : JointZone::upper_particles;
     add_triangle({vertex(half, points[0]), vertex(half, points[1]), vertex(half, points[2])}, grain,
-                 breakable_ ? zone : elastic(half));
+                 particle ? zone : elastic(half));
   }
 
   JointMesh take(JointProfile profile, double area_mm2) {
@@ -126,6 +139,15 @@ class Assembly {
   }
 
  private:
+  /// Whether one of a triangle's edges lies on the border between the particle zone and the elastic part.
+  bool on_border(int half, const std::array<int, 3>& points) const {
+    for (int i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(points[i], points[(i + 1) % 3]);
+      if (border_[half].contains({low, high})) return true;
+    }
+    return false;
+  }
+
   static JointZone elastic(int half) { return half == 0 ? JointZone::lower_elastic : JointZone::upper_elastic; }
 
   int add_vertex(Vec2 at) {
@@ -147,6 +169,7 @@ class Assembly {
 
   const PointSet& particles_;
   bool breakable_;
+  std::array<std::set<std::array<int, 2>>, 2> border_;  ///< Of each half's particle zone towards its elastic part.
   std::array<std::vector<int>, 2> vertex_;  ///< Of each point of the particle zones, -1: none yet.
   std::array<int, 2> grain_{};
   Mesh mesh_;
@@ -158,7 +181,7 @@ JointMesh attempt_joint(const JointConfig& joint, const JointProfile& profile, c
   const LineSpacing spacing{particles.edge_mm, relative_deviation(particles)};
   JointLines lines = joint_lines(joint, profile, spacing, random);
   const Relaxed relaxed = fill_particles(lines, particles, surplus, random);
-  Assembly assembly(lines.set, joint.breakable);
+  Assembly assembly(lines, joint.breakable);
   const auto add_elastic = [&](int half, const std::vector<int>& border, double outer_y) {
     assembly.add_elastic(half, border, fill_elastic(lines, border, joint, outer_y, particles.edge_mm, random));
   };
