@@ -38,7 +38,7 @@ Figures figures(const JointMesh& joint, const Chosen& chosen, const std::vector<
   const Mesh& mesh = joint.mesh;
   double sum = 0.0, squares = 0.0, count = 0.0;
   for (const MeshEdge& e : mesh_edges(mesh)) {
-    if (!chosen(joint.zone[e.left]) && (e.right < 0 || !chosen(joint.zone[e.right]))) continue;
+    if (!chosen(e.left) && (e.right < 0 || !chosen(e.right))) continue;
     const double length = norm(mesh.vertices[e.b] - mesh.vertices[e.a]);
     sum += length, squares += length * length, count += 1.0;
     f.shortest = std::min(f.shortest, length);
@@ -47,7 +47,7 @@ Figures figures(const JointMesh& joint, const Chosen& chosen, const std::vector<
   f.mean = sum / count;
   f.deviation = std::sqrt(squares / count - f.mean * f.mean);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!chosen(joint.zone[t])) continue;
+    if (!chosen(static_cast<int>(t))) continue;
     ++f.triangles;
     for (int k = 0; k < 3; ++k) {
       const Vec2 corner = mesh.vertices[mesh.triangles[t][k]];
@@ -143,11 +143,28 @@ void check_zones(const JointMesh& joint) {
   CHECK(elastic == 2);
 }
 
+/// Triangles of the particle zones as meshed: the particles, and the row around them that belongs to the elastic grains.
+std::vector<bool> fine_triangles(const JointMesh& joint) {
+  std::vector<bool> fine(joint.zone.size());
+  for (std::size_t t = 0; t < fine.size(); ++t) fine[t] = !is_elastic(joint.zone[t]);
+  std::vector<bool> with_row = fine;
+  for (const MeshEdge& e : mesh_edges(joint.mesh))
+    if (e.right >= 0 && fine[e.left] != fine[e.right]) with_row[e.left] = with_row[e.right] = true;
+  return with_row;
+}
+
+/// Figures of the triangles of some zones.
+template <class Chosen>
+Figures zone_figures(const JointMesh& joint, const Chosen& chosen, const std::vector<Vec2>& sharp = {}) {
+  return figures(joint, [&](int t) { return chosen(joint.zone[t]); }, sharp);
+}
+
 bool particle(JointZone zone) { return !is_elastic(zone); }
 
 void check_quality(const JointMesh& joint, const JointConfig& config, double edge,
                    const std::vector<Vec2>& sharp = {}) {
-  const Figures p = figures(joint, particle, sharp), e = figures(joint, is_elastic, sharp);
+  const std::vector<bool> fine = fine_triangles(joint);
+  const Figures p = figures(joint, [&](int t) { return fine[t]; }, sharp), e = zone_figures(joint, is_elastic, sharp);
   INFO("edge " << edge << " particles " << p.triangles << " mean " << p.mean << " deviation " << p.deviation
                << " angle " << p.angle << "; elastic angle " << e.angle);
   CHECK(std::abs(p.mean / edge - 1.0) < 0.03);
@@ -172,9 +189,9 @@ std::vector<Vec2> sharp_feet(const JointProfile& profile) {
 void report(const std::string& name, const JointMesh& joint, double edge, double seconds) {
   const auto lower = [](JointZone z) { return z == JointZone::lower_particles; };
   const auto upper = [](JointZone z) { return z == JointZone::upper_particles; };
-  const Figures p = figures(joint, particle), e = figures(joint, is_elastic);
-  WARN(name << ", " << edge << " mm: particles " << figures(joint, lower).triangles << " + "
-            << figures(joint, upper).triangles << ", edges " << p.mean << " +- " << p.deviation << " (" << p.shortest
+  const Figures p = zone_figures(joint, particle), e = zone_figures(joint, is_elastic);
+  WARN(name << ", " << edge << " mm: particles " << zone_figures(joint, lower).triangles << " + "
+            << zone_figures(joint, upper).triangles << ", edges " << p.mean << " +- " << p.deviation << " (" << p.shortest
             << " to " << p.longest << "), angle " << p.angle << "; elastic " << e.triangles << ", edges " << e.shortest
             << " to " << e.longest << ", angle " << e.angle << "; " << seconds << " s");
 }
@@ -270,6 +287,22 @@ TEST_CASE("one half alone may have particles, and a flat joint") {
   check_topology(flat, config);
   check_zones(flat);
   for (JointZone zone : flat.zone) CHECK(zone != JointZone::lower_particles);
+}
+
+TEST_CASE("no straight line of contacts bounds the particles") {
+  for (const JointConfig& config : {single_tooth(), double_tooth(), teeth_alone(single_tooth())}) {
+    const JointMesh joint = make_joint_mesh(config, triangles(0.5, 2));
+    int level = 0, contacts = 0;
+    for (const MeshEdge& e : mesh_edges(joint.mesh)) {
+      if (e.right < 0 || is_elastic(joint.zone[e.left]) == is_elastic(joint.zone[e.right])) continue;
+      ++contacts;
+      const Vec2 a = joint.mesh.vertices[e.a], b = joint.mesh.vertices[e.b];
+      const double floor = -config.damage_depth_lower_mm;
+      level += a.y == floor && b.y == floor;
+    }
+    CHECK(contacts > 20);
+    CHECK(level == 0);
+  }
 }
 
 TEST_CASE("an unbreakable joint has the same mesh, but two grains") {
