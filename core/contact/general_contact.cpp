@@ -44,10 +44,10 @@ double overlap_potentials(const GeneralContacts& general, const MemberPair& pair
 
 double inradius(const PresentTriangle& t) { return 1.0 / (1.0 / t.height[0] + 1.0 / t.height[1] + 1.0 / t.height[2]); }
 
-/// Eq. (C54): where neighbours overlap when they begin to meet; more as the bonds that still hold them let them slip on,
-/// less as soon as they overlap less. Returns the overlap potential (mm3, at the old weight 1) that yielding gave up.
-double seat_neighbours(const GeneralContacts& general, double weight, MemberPair& pair) {
-  if (!pair.neighbours || (pair.seat == 0.0 && weight >= kTakenOver)) return 0.0;
+/// Eq. (C54): where a pair overlaps when it begins to meet; more as the bonds that still hold it let it slip on, less as
+/// soon as it overlaps less. Returns the overlap potential (mm3, at weight 1) that yielding gave up.
+double seat_pair(const GeneralContacts& general, double weight, MemberPair& pair) {
+  if (pair.seat == 0.0 && weight >= kTakenOver) return 0.0;
   const PresentTriangle &a = general.frames[pair.a], &b = general.frames[pair.b];
   std::array<EdgePart, 6> parts;
   if (!overlap(a, b, general.stiffening, 0.0, parts)) {
@@ -56,7 +56,7 @@ double seat_neighbours(const GeneralContacts& general, double weight, MemberPair
   }
   const double deepest = deepest_of(parts), yielding = std::max(0.0, deepest - general.play);
   if (pair.seat == kUnseated) {
-    pair.seat = yielding;
+    pair.seat = weight >= kTakenOver && yielding > 0.0 ? deepest : yielding;
     return 0.0;
   }
   if (weight >= kTakenOver || yielding <= pair.seat) {
@@ -77,7 +77,7 @@ std::vector<Touch> update_touches(GeneralContacts& general, const BondedContacts
     MemberPair& pair = general.pairs[p];
     const double weight = pair_weight(general, bonded, pair);
     if (weight <= 0.0) continue;
-    const double yielded = seat_neighbours(general, weight, pair);
+    const double yielded = seat_pair(general, weight, pair);
     if (pair.seat == kUnseated) continue;
     if (!overlap(general.frames[pair.a], general.frames[pair.b], general.stiffening, pair.seat, parts)) continue;
     if (pair.touch < 0) begun.emplace_back().pair = static_cast<int>(p);

@@ -31,19 +31,18 @@ struct GeneralContactLaw {
 /// unless the config says otherwise.
 GeneralContactLaw general_contact_law(const ContactConfig& config, const LawParameters& law);
 
+/// Seat of a pair that has not met since it last parted.
+inline constexpr double kUnseated = std::numeric_limits<double>::infinity();
+
 /// Two members within reach of each other, and the chain of handing-over bonded contacts between them, which sets the
 /// weight of their contact, Eq. (C46).
 struct MemberPair {
   int a, b;  ///< Member indices, a < b.
   int chain_begin = 0;
   int chain_size = 0;
-  int touch = -1;      ///< Index of their touch, -1 while apart.
-  int neighbours = 0;  ///< 1: they share one vertex of the mesh.
-  double seat = 0;     ///< mm: the overlap of neighbours that does not count, Eq. (C54).
+  int touch = -1;           ///< Index of their touch, -1 while apart.
+  double seat = kUnseated;  ///< mm: the overlap that does not count, Eq. (C54).
 };
-
-/// Seat of neighbours that have not met since they last parted.
-inline constexpr double kUnseated = std::numeric_limits<double>::infinity();
 
 /// Where the forces of an edge inside another triangle act: on the edge at s (0 to 1), on the other triangle with the
 /// shape functions `share`.
@@ -86,7 +85,7 @@ struct GeneralContacts {
   GeneralContactLaw law;
   double skin = 0;        ///< mm: pairs nearer than this are on the list.
   double stiffening = 0;  ///< 1/mm2, Eq. (C40).
-  double play = 0;        ///< mm: overlaps of neighbours up to this count in full, Eq. (C54).
+  double play = 0;        ///< mm: overlaps up to this count in full, Eq. (C54).
 
   std::vector<ContactMember> members;
   std::vector<MemberPair> pairs;

@@ -97,7 +97,7 @@ bool apart(const PresentTriangle& in, const PresentTriangle& other, double skin)
   return false;
 }
 
-/// Overlap over the mean edge that counts in full between neighbours, Eq. (C54): several times what faces under stress
+/// Overlap over the mean edge that counts in full, Eq. (C54): several times what faces under stress
 /// overlap.
 constexpr double kPlay = 0.01;
 
@@ -188,14 +188,6 @@ class ChainFinder {
   std::vector<int>& list_;
 };
 
-int shared_vertices(const Particles& particles, int triangle_a, int triangle_b) {
-  int shared = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) shared += vertex_at(particles, 3 * triangle_a + i) == vertex_at(particles, 3 * triangle_b + j);
-  }
-  return shared;
-}
-
 void list_pairs(GeneralContacts& general, const BondedContacts& bonded, const Particles& particles) {
   general.chain_contacts.clear();
   ChainFinder find_chains(bonded, particles, general.chain_contacts);
@@ -204,10 +196,6 @@ void list_pairs(GeneralContacts& general, const BondedContacts& bonded, const Pa
     if (apart(ta, tb, general.skin) || apart(tb, ta, general.skin)) continue;
     MemberPair pair{a, b};
     if (find_chains(general.members[a].triangle, general.members[b].triangle, pair)) {
-      if (shared_vertices(particles, general.members[a].triangle, general.members[b].triangle) == 1) {
-        pair.neighbours = 1;
-        pair.seat = kUnseated;
-      }
       general.pairs.push_back(pair);
     } else {
       general.chain_contacts.resize(pair.chain_begin);
@@ -218,7 +206,6 @@ void list_pairs(GeneralContacts& general, const BondedContacts& bonded, const Pa
 /// What a pair remembers from one list to the next.
 struct PairMemory {
   std::array<int, 2> triangles;
-  int neighbours;
   double seat;
   int touch;
 };
@@ -230,7 +217,7 @@ std::array<int, 2> triangles_of(const GeneralContacts& general, const MemberPair
 std::vector<PairMemory> remember_pairs(const GeneralContacts& general) {
   std::vector<PairMemory> memories;
   for (const MemberPair& pair : general.pairs) {
-    memories.push_back({triangles_of(general, pair), pair.neighbours, pair.seat, pair.touch});
+    memories.push_back({triangles_of(general, pair), pair.seat, pair.touch});
   }
   return memories;
 }
@@ -242,7 +229,7 @@ void carry_over(GeneralContacts& general, const std::vector<PairMemory>& memorie
   for (const PairMemory& memory : memories) {
     while (pair != general.pairs.end() && triangles_of(general, *pair) < memory.triangles) ++pair;
     if (pair == general.pairs.end() || triangles_of(general, *pair) != memory.triangles) continue;
-    if (memory.neighbours) pair->seat = memory.seat;
+    pair->seat = memory.seat;
     if (memory.touch >= 0) new_pair_of_touch.push_back({memory.touch, static_cast<int>(pair - general.pairs.begin())});
   }
   std::sort(new_pair_of_touch.begin(), new_pair_of_touch.end());

@@ -118,8 +118,7 @@ bool pair_holds(const GeneralContacts& general, std::size_t p) {
   const std::int64_t chains = static_cast<std::int64_t>(general.chain_contacts.size());
   const bool chain_holds = pair.chain_begin >= 0 && pair.chain_size >= 0 &&
                            std::int64_t{pair.chain_begin} + std::int64_t{pair.chain_size} <= chains;
-  const bool seat_holds = pair.neighbours ? pair.seat >= 0.0 : pair.seat == 0.0;
-  return chain_holds && seat_holds && pair.a < pair.b && is_index(pair.a, general.members.size()) &&
+  return chain_holds && pair.seat >= 0.0 && pair.a < pair.b && is_index(pair.a, general.members.size()) &&
          is_index(pair.b, general.members.size()) && is_index_or_none(pair.touch, general.touches.size()) &&
          (pair.touch < 0 || general.touches[pair.touch].pair == static_cast<int>(p));
 }
