@@ -33,8 +33,8 @@ int grain_slot(int edge) { return -2 - edge; }
 
 }  // namespace
 
-BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law,
-                             LawReading reading, LawForm form) {
+BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law, LawReading reading,
+                             LawForm form) {
   BondedContacts contacts;
   contacts.law = law;
   contacts.reading = reading;

@@ -84,8 +84,8 @@ struct BondedContacts {
 };
 
 /// Contacts on all edges between triangles of different grains.
-BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law,
-                             LawReading reading, LawForm form = LawForm::damage_slip);
+BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law, LawReading reading,
+                             LawForm form = LawForm::damage_slip);
 
 /// Midline frame of a contact edge and its separations; Eqs. (C15), (C16).
 struct ContactFrame {

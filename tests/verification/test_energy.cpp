@@ -65,9 +65,9 @@ TEST_CASE("The energy account of a coarse Brazilian test closes, platens smooth 
   const double friction = GENERATE(0.0, 0.3);
   const LawForm form = GENERATE(LawForm::damage_slip, LawForm::cohesive_frictional);
   const Sample end = last_sample(friction, {LawReading::consistent, form, {}, {}});
-  WARN("coarse disc, " << word(form) << ", platen friction " << friction << ": cracks " << end.cracks_tension << " + " << end.cracks_shear
-                                       << ", closure error over work "
-                                       << end.energy.error() / end.energy.external_work);
+  WARN("coarse disc, " << word(form) << ", platen friction " << friction << ": cracks " << end.cracks_tension << " + "
+                       << end.cracks_shear << ", closure error over work "
+                       << end.energy.error() / end.energy.external_work);
   CHECK(end.cracks_tension + end.cracks_shear > 5);                       // it failed
   CHECK(std::abs(end.energy.error()) < 1e-3 * end.energy.external_work);  // the requirement
 }
@@ -96,7 +96,7 @@ TEST_CASE("A specimen crushed with contacts that slip by a tenth of an edge befo
   run_experiment(model, state, loops, {});
   const double error = relative_closure_error(state.samples.back().energy);
   WARN(form << ": energy error " << error << ", deepest overlap while handing over over the edge "
-                       << model.system.general.largest_depth_handing_over / config.particles.edge_mm);
+            << model.system.general.largest_depth_handing_over / config.particles.edge_mm);
   CHECK(state.samples.back().cracks_shear > 10);
   CHECK(error < 1e-4);  // 0.48 before seats (C54), where corners were pressed apart within the hand-over
 }
