@@ -97,6 +97,8 @@ const std::vector<ConditionalKey>& conditional_keys() {
         {"/experiment/loading/elastic_start_fraction", kMode, is_continuous, continuous, stage_hint},
         {"/contacts/shear_fracture_energy_n_per_mm", kReading, is_default_law, "only under the default law",
          "remove it, or set /contacts/law/reading to \"default\": the literal law drops at its shear peak"},
+        {"/contacts/law/form", kReading, is_default_law, "only under the default law",
+         "remove it, or set /contacts/law/reading to \"default\": the literal law has one form"},
         {"/measurement/peak_strain_limit", kType, has_platens, platens,
          "remove it: a joint's peak is that of the whole curve"},
         {"/particles/kind", kType, has_platens, platens, "remove it: a joint's particles are triangles"},

@@ -182,6 +182,7 @@ const std::vector<Binding>& bindings() {
       bind<&Run::contacts, &Contacts::fracture_energy_n_per_mm>("/contacts/fracture_energy_n_per_mm"),
       bind<&Run::contacts, &Contacts::shear_fracture_energy_n_per_mm>("/contacts/shear_fracture_energy_n_per_mm"),
       bind<&Run::contacts, &Contacts::law, &Law::reading>("/contacts/law/reading"),
+      bind<&Run::contacts, &Contacts::law, &Law::form>("/contacts/law/form"),
       bind<&Run::contacts, &Contacts::law, &Law::shear_peak>("/contacts/law/shear_peak"),
       bind<&Run::contacts, &Contacts::law, &Law::opening_shear_stiffness>("/contacts/law/opening_shear_stiffness"),
       bind<&Run::contacts, &Contacts::general, &General::enabled>("/contacts/general/enabled"),

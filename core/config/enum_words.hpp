@@ -32,6 +32,9 @@ constexpr EnumWords<LoadingMode, 2> words_of(LoadingMode) {
 constexpr EnumWords<LawReading, 2> words_of(LawReading) {
   return {{{LawReading::literal, "literal"}, {LawReading::consistent, "default"}}};
 }
+constexpr EnumWords<LawForm, 2> words_of(LawForm) {
+  return {{{LawForm::damage_slip, "damage_slip"}, {LawForm::cohesive_frictional, "cohesive_frictional"}}};
+}
 constexpr EnumWords<ShearPeak, 2> words_of(ShearPeak) {
   return {{{ShearPeak::cohesion, "cohesion"}, {ShearPeak::coulomb, "coulomb"}}};
 }

@@ -19,6 +19,7 @@ enum class PlatenShape { flat, curved };
 enum class ParticleKind { triangle, voronoi };
 enum class LoadingMode { continuous, staged };
 enum class LawReading { literal, consistent };  ///< JSON: "literal", "default".
+enum class LawForm { damage_slip, cohesive_frictional };  ///< Of the default law.
 enum class ShearPeak { cohesion, coulomb };     ///< Eq 6's peak: c_c, or c_c + sigma_n tan(phi_c).
 enum class OpeningShearStiffness { k_t, k_s };  ///< Stiffness of the shear component while the contact is open.
 
@@ -127,6 +128,7 @@ struct ParticleConfig {
 
 struct LawConfig {
   LawReading reading = LawReading::consistent;
+  LawForm form = LawForm::damage_slip;                           ///< Default law only.
   std::optional<ShearPeak> shear_peak;                           ///< Departure; unset: the reading's own.
   std::optional<OpeningShearStiffness> opening_shear_stiffness;  ///< Departure; unset: the reading's own.
   bool operator==(const LawConfig&) const = default;

@@ -33,11 +33,12 @@ int grain_slot(int edge) { return -2 - edge; }
 
 }  // namespace
 
-BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law,
-                             LawReading reading) {
+BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law, LawReading reading,
+                             LawForm form) {
   BondedContacts contacts;
   contacts.law = law;
   contacts.reading = reading;
+  contacts.form = form;
   contacts.slot_of_edge.assign(3 * mesh.triangles.size(), -1);
   std::vector<int> outline;
   for (const MeshEdge& edge : mesh_edges(mesh)) {

@@ -63,6 +63,7 @@ struct BondedContacts {
   double hand_over_range = 0;  ///< Edge lengths of slip or opening since breakage; 0: they keep their pair for good.
   LawParameters law;
   LawReading reading = LawReading::consistent;
+  LawForm form = LawForm::damage_slip;  ///< Of the default law.
 
   std::size_t size() const { return edges.size(); }
   std::size_t slot_count() const { return contact_slot_count(size()) + outline_edges; }
@@ -83,8 +84,8 @@ struct BondedContacts {
 };
 
 /// Contacts on all edges between triangles of different grains.
-BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law,
-                             LawReading reading);
+BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law, LawReading reading,
+                             LawForm form = LawForm::damage_slip);
 
 /// Midline frame of a contact edge and its separations; Eqs. (C15), (C16).
 struct ContactFrame {
@@ -121,8 +122,8 @@ enum class Kernel {
 };
 
 /// Brings every contact to the present positions at `time` (s) and writes its forces (N per mm of thickness), Eqs.
-/// (C17), (C18), into its slots (force_index()). Returns how many broke or were released. The literal law always takes
-/// the reference kernel.
+/// (C17), (C18), into its slots (force_index()). Returns how many broke or were released. The literal law and the
+/// cohesive-frictional form always take the reference kernel.
 int update_contacts(BondedContacts& contacts, const std::vector<Vec2>& position, double time,
                     const ParallelLoops& loops, std::span<Vec2> forces, Kernel kernel = Kernel::fast);
 

@@ -1,4 +1,5 @@
 #include "core/contact/bonded_kernels.hpp"
+#include "core/contact/cohesive_frictional_law.hpp"
 #include "core/contact/edge_update.hpp"
 
 namespace asperity {
@@ -9,6 +10,9 @@ constexpr auto kLiteral = [](PointState& s, double n, double t, const LawParamet
 };
 constexpr auto kDefault = [](PointState& s, double n, double t, const LawParameters& p) {
   consistent_law::update(s, n, t, p);
+};
+constexpr auto kCohesiveFrictional = [](PointState& s, double n, double t, const LawParameters& p) {
+  cohesive_frictional_law::update(s, n, t, p);
 };
 
 template <class Law>
@@ -28,8 +32,9 @@ PassChanges update_range(BondedContacts& contacts, const ContactPass& pass, cons
 }  // namespace
 
 PassChanges update_contacts_reference(BondedContacts& contacts, const ContactPass& pass) {
-  return contacts.reading == LawReading::literal ? update_range(contacts, pass, kLiteral)
-                                                 : update_range(contacts, pass, kDefault);
+  if (contacts.reading == LawReading::literal) return update_range(contacts, pass, kLiteral);
+  if (contacts.form == LawForm::cohesive_frictional) return update_range(contacts, pass, kCohesiveFrictional);
+  return update_range(contacts, pass, kDefault);
 }
 
 }  // namespace asperity

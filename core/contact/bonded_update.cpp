@@ -21,7 +21,8 @@ int enter_breakages(BondedContacts& contacts, const std::vector<edge_update::Bre
 
 int update_contacts(BondedContacts& contacts, const std::vector<Vec2>& position, double time,
                     const ParallelLoops& loops, std::span<Vec2> forces, Kernel kernel) {
-  const bool fast = kernel == Kernel::fast && contacts.reading == LawReading::consistent;
+  const bool vectorised = contacts.reading == LawReading::consistent && contacts.form == LawForm::damage_slip;
+  const bool fast = kernel == Kernel::fast && vectorised;
   const PassChanges changes = loops.sum_blocks<PassChanges>(contacts.size(), [&](std::size_t begin, std::size_t end) {
     const ContactPass pass{begin, end, &position, time, forces};
     return fast ? update_contacts_fast(contacts, pass) : update_contacts_reference(contacts, pass);

@@ -26,7 +26,7 @@ struct PointState {
   double normal = 0, shear = 0;             ///< Separation at the last evaluation.
   double traction_n = 0, traction_s = 0;    ///< Traction then.
   double slip = 0;                          ///< Default law: slip of the intact share.
-  double hardening = 0;                     ///< Default law: normalised shear displacement x.
+  double hardening = 0;  ///< Default law: normalised shear displacement x; cohesive-frictional: the largest kappa.
   double integrity_n = 1, integrity_s = 1;  ///< Default law: secant factors g_n, g_s, never growing.
   double friction = 0;                      ///< Shear traction carried by friction (broken share).
   double largest = 0;                       ///< Literal law: delta_max, mm.

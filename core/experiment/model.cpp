@@ -131,7 +131,8 @@ Model build_model(const RunConfig& config, const ParallelLoops& loops) {
   System& system = model.system;
   system.particles = make_particles(model.mesh, config.particles, config.experiment.plane);
   if (shear) model.joint = make_joint(config, model.mesh, zones, system);
-  system.contacts = make_contacts(model.mesh, system.particles, law, config.contacts.law.reading);
+  system.contacts =
+      make_contacts(model.mesh, system.particles, law, config.contacts.law.reading, config.contacts.law.form);
   system.general = make_general_contacts(system.particles, general_contact_law(config.contacts, law));
   if (config.contacts.general.enabled) system.contacts.hand_over_range = kHandOverRange;
   if (!shear) {

@@ -5,11 +5,20 @@
 
 namespace asperity {
 
+namespace {
+
+/// How the separation at which shear softens rises with the pressure: tan(phi) of Eq. (E6).
+double peak_friction(const BondedContacts& contacts) {
+  if (contacts.reading == LawReading::literal) return contacts.law.coulomb;
+  return contacts.form == LawForm::cohesive_frictional ? 0.0 : contacts.law.tan_phi;
+}
+
+}  // namespace
+
 NormalisedSeparation normalised_separation(const PointState& point, const BondedContacts& contacts) {
   const LawParameters& law = contacts.law;
-  const double friction = contacts.reading == LawReading::literal ? law.coulomb : law.tan_phi;
   const double pressure = std::max(0.0, -law.k_t * point.normal);
-  const double critical_shear = std::numbers::e * (law.c_c + pressure * friction) / law.k_s;
+  const double critical_shear = std::numbers::e * (law.c_c + pressure * peak_friction(contacts)) / law.k_s;
   return {std::max(0.0, point.normal) * law.inverse_delta_ct, std::abs(point.shear) / critical_shear};
 }
 

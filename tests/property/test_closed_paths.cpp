@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/random.hpp"
+#include "core/contact/cohesive_frictional_law.hpp"
 #include "core/contact/consistent_law.hpp"
 #include "core/contact/literal_law.hpp"
 #include "tests/support/models.hpp"
@@ -63,12 +64,12 @@ struct Worst {
   double least_work = std::numeric_limits<double>::infinity(), imbalance = 0, mean_imbalance = 0;
 };
 
-Worst worst_of_many(int steps, const LawParameters& law = kLaw) {
+Worst worst_of_many(int steps, Update update, const LawParameters& law = kLaw) {
   RandomStream random(11, "closed paths");
   Worst worst;
   for (int i = 0; i < kPaths; ++i) {
     PointState s;
-    const double work = work_along(random_path(random), steps, consistent_law::update, s, law);
+    const double work = work_along(random_path(random), steps, update, s, law);
     const double stored = consistent_law::recoverable_energy(s, law);
     const double imbalance = std::abs(work - stored - s.fracture_energy - s.friction_energy);
     const double scale = kPeakEnergy + std::abs(work);
@@ -82,7 +83,7 @@ Worst worst_of_many(int steps, const LawParameters& law = kLaw) {
 }  // namespace
 
 TEST_CASE("Default law: no closed path from the virgin state returns net work, and the account closes") {
-  const Worst coarse = worst_of_many(250), fine = worst_of_many(1000);
+  const Worst coarse = worst_of_many(250, consistent_law::update), fine = worst_of_many(1000, consistent_law::update);
   WARN("closed paths: least work " << fine.least_work << " of the peak energy; imbalance worst " << coarse.imbalance
                                    << " -> " << fine.imbalance << ", mean " << coarse.mean_imbalance << " -> "
                                    << fine.mean_imbalance << " from 250 to 1000 steps a leg");
@@ -94,11 +95,25 @@ TEST_CASE("Default law: no closed path from the virgin state returns net work, a
 }
 
 TEST_CASE("Default law with softening in shear: no closed path returns net work either, and the account closes") {
-  const Worst fine = worst_of_many(1000, softening_law());
+  const Worst fine = worst_of_many(1000, consistent_law::update, softening_law());
   WARN("closed paths, shear softens: least work " << fine.least_work << " of the peak energy; imbalance worst "
                                                   << fine.imbalance << ", mean " << fine.mean_imbalance);
   CHECK(fine.least_work > -1.3e-4);  // the discretisation's, as above
   CHECK(fine.imbalance < 1.3e-4);
+}
+
+TEST_CASE("Cohesive-frictional form: no closed path returns net work, with Eq 6's drop or softening in shear") {
+  LawParameters law = kLaw;
+  law.kappa_us = GENERATE(1.0, 12.0);
+  const Worst coarse = worst_of_many(250, cohesive_frictional_law::update, law),
+              fine = worst_of_many(1000, cohesive_frictional_law::update, law);
+  WARN("closed paths, cohesive-frictional, kappa_us "
+       << law.kappa_us << ": least work " << fine.least_work << " of the peak energy; imbalance worst "
+       << coarse.imbalance << " -> " << fine.imbalance << ", mean " << coarse.mean_imbalance << " -> "
+       << fine.mean_imbalance << " from 250 to 1000 steps a leg");
+  CHECK(fine.least_work > -1.3e-4);  // the discretisation's, as above
+  CHECK(fine.imbalance < 1.3e-4);
+  CHECK(fine.mean_imbalance < 0.1 * coarse.mean_imbalance);
 }
 
 TEST_CASE("Literal law: some closed path returns net work, so the test above can fail") {

@@ -65,7 +65,7 @@ inline LawParameters unbreakable_law() {
 inline System make_system(const Mesh& mesh, const RunConfig& config, const LawParameters& law) {
   System system;
   system.particles = make_particles(mesh, config.particles, config.experiment.plane);
-  system.contacts = make_contacts(mesh, system.particles, law, config.contacts.law.reading);
+  system.contacts = make_contacts(mesh, system.particles, law, config.contacts.law.reading, config.contacts.law.form);
   prepare(system);
   system.time_step = 0.5 * critical_time_step(system, ParallelLoops());
   return system;

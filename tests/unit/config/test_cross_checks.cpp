@@ -167,6 +167,14 @@ TEST_CASE("Voronoi grains hold several triangles and the specimen several grains
   CHECK(contains(fault.hint, "voronoi"));
 }
 
+TEST_CASE("only the default law has forms") {
+  CHECK_FALSE(refusal(kDisc, {"/contacts/law/form=cohesive_frictional"}).kind);
+  const Fault fault = only_fault(kDisc, R"(/contacts/law={"reading": "literal", "form": "cohesive_frictional"})");
+  CHECK(fault.where == "/contacts/law/form");
+  CHECK(fault.what == "has no meaning when /contacts/law/reading is \"literal\"");
+  CHECK(contains(fault.hint, "default"));
+}
+
 TEST_CASE("the modulus window has its low end below its high end") {
   const Fault fault = only_fault(kUniaxial, "/measurement/modulus_window=[0.5, 0.5]");
   CHECK(fault.where == "/measurement/modulus_window");

@@ -144,6 +144,7 @@ TEST_CASE("the enumerations' words are the schema's") {
   CHECK(words_as_json<ParticleKind>() == node_at("/particles/kind").at("enum"));
   CHECK(words_as_json<LoadingMode>() == node_at("/experiment/loading/mode").at("enum"));
   CHECK(words_as_json<LawReading>() == node_at("/contacts/law/reading").at("enum"));
+  CHECK(words_as_json<LawForm>() == node_at("/contacts/law/form").at("enum"));
   CHECK(words_as_json<ShearPeak>() == node_at("/contacts/law/shear_peak").at("enum"));
   CHECK(words_as_json<OpeningShearStiffness>() == node_at("/contacts/law/opening_shear_stiffness").at("enum"));
   CHECK(word(LawReading::consistent) == "default");

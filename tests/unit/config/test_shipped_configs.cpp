@@ -98,7 +98,7 @@ TEST_CASE("the paper's configurations have its specimens and Table 5") {
       CHECK(c.particles.poissons_ratio == 0.2);
       CHECK(c.particles.edge_mm == 2.0);
       CHECK(estimated_tensile_stiffness(c) == Approx(disc ? 2500.0 : 2610.0).epsilon(2e-3));  // Table 5, three digits
-      CHECK(c.contacts.law == LawConfig{ending.empty() ? LawReading::consistent : LawReading::literal, {}, {}});
+      CHECK(c.contacts.law == LawConfig{ending.empty() ? LawReading::consistent : LawReading::literal, {}, {}, {}});
     }
   }
 }

@@ -50,6 +50,10 @@ TEST_CASE("the effective configuration reads back to the same one") {
   }
   const RunConfig plane_stress = parse_run_config(kUniaxial, "run.json", {"/experiment/plane=stress"});
   CHECK(again(plane_stress) == plane_stress);
+  const RunConfig split = parse_run_config(kDisc, "run.json", {"/contacts/law/form=cohesive_frictional"});
+  CHECK(split.contacts.law.form == LawForm::cohesive_frictional);
+  CHECK(again(split) == split);
+  CHECK(config_hash(split) != config_hash(parse_run_config(kDisc, "run.json")));
   CHECK(again(unusual()) == unusual());
   CHECK(effective_json(again(unusual())) == effective_json(unusual()));
 }

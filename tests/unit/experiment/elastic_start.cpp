@@ -52,8 +52,10 @@ double stress_at(const RunState& state, double closure) {
 }  // namespace
 
 TEST_CASE("an elastic start ends at its share of first softening, with nothing damaged") {
+  const LawForm form = GENERATE(LawForm::damage_slip, LawForm::cohesive_frictional);
   for (ExperimentType type : {ExperimentType::uniaxial, ExperimentType::triaxial, ExperimentType::brazilian}) {
-    const RunConfig config = with_start(type, 0.3);
+    RunConfig config = with_start(type, 0.3);
+    config.contacts.law.form = form;
     Model model = small_model(config);
     RunState state = start_run(model);
     const Model* at = &model;
@@ -72,8 +74,10 @@ TEST_CASE("an elastic start ends at its share of first softening, with nothing d
 }
 
 TEST_CASE("the static path is that of slow loading, and its account closes") {
+  const LawForm form = GENERATE(LawForm::damage_slip, LawForm::cohesive_frictional);
   for (ExperimentType type : {ExperimentType::uniaxial, ExperimentType::triaxial, ExperimentType::brazilian}) {
     RunConfig config = with_start(type, 0.3);
+    config.contacts.law.form = form;
     config.experiment.stop.axial_strain = type == ExperimentType::brazilian ? 0.004 : 0.012;
     const Run direct(config);
     const double end = direct.state.loading.elastic_start_closure_mm;
