@@ -101,6 +101,10 @@ void move_node(System& system, std::size_t node, Vec2 internal, NodeSums& sums) 
 
 }  // namespace
 
+void move_node_reference(System& system, std::size_t node, Vec2 internal, NodeSums& sums) {
+  move_node(system, node, internal, sums);
+}
+
 NodeSums move_nodes_reference(System& system, std::size_t begin, std::size_t end) {
   NodeSums sums;
   for (std::size_t node = begin; node < end; ++node) {

@@ -15,6 +15,13 @@ double damping_force(double force, double coefficient, double mean_velocity, dou
 /// other.
 NodeSums move_nodes_reference(System& system, std::size_t begin, std::size_t end);
 
+/// One of those nodes under a given force of triangles and contacts.
+void move_node_reference(System& system, std::size_t node, Vec2 internal, NodeSums& sums);
+
+/// As move_nodes_reference(), in vector registers where nothing but forces acts on a node; begin is a multiple of 8. Not
+/// with curved jaws or a body force.
+NodeSums move_nodes_fast(System& system, std::size_t begin, std::size_t end);
+
 /// The same for the nodes of one triangle, which are its own, under given forces of triangle and contacts (N per mm of
 /// thickness).
 void move_triangle_reference(System& system, std::size_t triangle, const std::array<Vec2, 3>& internal, NodeSums& sums);
@@ -24,5 +31,8 @@ NodeSums move_triangles_fast(System& system, std::size_t begin, std::size_t end)
 
 /// Forces of triangles [begin, end) on their corners, written behind the slots.
 void compute_corner_forces(System& system, std::size_t begin, std::size_t end);
+
+/// The same in vector registers, to the last bit; begin is a multiple of 8.
+void compute_corner_forces_fast(System& system, std::size_t begin, std::size_t end);
 
 }  // namespace asperity

@@ -6,26 +6,11 @@
 
 #include <algorithm>
 
-#include "core/base/simd_points.inl.hpp"
+#include "core/integrator/motion_simd.inl.hpp"
 #include "core/integrator/node_motion.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace asperity::HWY_NAMESPACE {
-
-using hn::Add;
-using hn::Mul;
-using hn::Sub;
-
-constexpr Doubles kDoubles;
-constexpr std::size_t kBlock = PackedShapes::kSize;
-
-HWY_INLINE Real set(double value) { return hn::Set(kDoubles, value); }
-
-/// Triangles of one register.
-struct Batch {
-  std::size_t first, count;  ///< Lanes beyond the count repeat the last triangle.
-  std::size_t triangle(std::size_t lane) const { return first + (lane < count ? lane : count - 1); }
-};
 
 /// The system's arrays by their addresses: the compiler must take vectors for changed after every store of points.
 struct Arrays {
@@ -34,7 +19,7 @@ struct Arrays {
   const double* mass;
   const int* slot_of_edge;
   const PackedShapes* shapes;
-  ElasticConstants elastic;
+  Elasticity elastic;
   explicit Arrays(System& s)
       : position(s.particles.position.data()),
         forces(s.forces.data()),
@@ -46,48 +31,13 @@ struct Arrays {
 };
 
 HWY_INLINE Points load_corner(const Vec2* x, const Batch& batch, std::size_t k) {
-  return load_points([&](std::size_t lane) { return &x[3 * batch.triangle(lane) + k].x; });
-}
-
-/// Row of packed shapes.
-HWY_INLINE Real shape_row(const PackedShapes::Row& row, const Batch& batch) {
-  return hn::Load(kDoubles, row.data() + batch.first % kBlock);
-}
-
-using Corners = std::array<Points, 3>;
-
-/// biot_state() and corner_forces() of core/particles, operation by operation.
-HWY_INLINE Corners elastic_forces(const PackedShapes& shape, const Batch& batch, const Corners& x,
-                                  const ElasticConstants& c) {
-  const Points p = x[1] - x[0], q = x[2] - x[0];
-  const Points gp{shape_row(shape.g1x, batch), shape_row(shape.g1y, batch)};
-  const Points gq{shape_row(shape.g2x, batch), shape_row(shape.g2y, batch)};
-  const Real xx = Add(Mul(p.x, gp.x), Mul(q.x, gq.x)), xy = Add(Mul(p.x, gp.y), Mul(q.x, gq.y));
-  const Real yx = Add(Mul(p.y, gp.x), Mul(q.y, gq.x)), yy = Add(Mul(p.y, gp.y), Mul(q.y, gq.y));
-  const Real a = Add(xx, yy), b = Sub(yx, xy);
-  const Real r = hn::Div(set(1.0), hn::Sqrt(Add(Mul(a, a), Mul(b, b))));
-  const Real cosine = Mul(a, r), sine = Mul(b, r);
-  const Real e11 = Sub(Add(Mul(cosine, xx), Mul(sine, yx)), set(1.0));
-  const Real e22 = Sub(Sub(Mul(cosine, yy), Mul(sine, xy)), set(1.0));
-  const Real e12 = Add(Mul(cosine, xy), Mul(sine, yy));
-  const Real t11 = Add(Mul(set(c.c11), e11), Mul(set(c.c12), e22));
-  const Real t22 = Add(Mul(set(c.c12), e11), Mul(set(c.c11), e22));
-  const Real t12 = Mul(set(2.0 * c.shear), e12);
-  const Real p11 = Sub(Mul(cosine, t11), Mul(sine, t12)), p12 = Sub(Mul(cosine, t12), Mul(sine, t22));
-  const Real p21 = Add(Mul(sine, t11), Mul(cosine, t12)), p22 = Add(Mul(sine, t12), Mul(cosine, t22));
-  const Real minus_area = hn::Neg(shape_row(shape.area, batch));
-  const auto force = [&](const Points& g) {
-    return Points{Mul(minus_area, Add(Mul(p11, g.x), Mul(p12, g.y))),
-                  Mul(minus_area, Add(Mul(p21, g.x), Mul(p22, g.y)))};
-  };
-  const Points f1 = force(gp), f2 = force(gq);
-  return {Points{Sub(hn::Neg(f1.x), f2.x), Sub(hn::Neg(f1.y), f2.y)}, f1, f2};
+  return load_points([&](std::size_t lane) { return &x[3 * batch.at(lane) + k].x; });
 }
 
 /// Forces in the slots of the triangles' edges k, on their first or second ends.
 HWY_INLINE Points slot_forces(const Arrays& a, const Batch& batch, std::size_t k, std::size_t end) {
   return load_points(
-      [&](std::size_t lane) { return &a.forces[2 * a.slot_of_edge[3 * batch.triangle(lane) + k] + end].x; });
+      [&](std::size_t lane) { return &a.forces[2 * a.slot_of_edge[3 * batch.at(lane) + k] + end].x; });
 }
 
 /// Masses of the three corners.
@@ -99,72 +49,10 @@ HWY_INLINE std::array<Real, 3> load_masses(const double* mass, const Batch& batc
   }
   HWY_ALIGN double corner[kLanes];
   for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) corner[lane] = mass[3 * batch.triangle(lane) + k];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) corner[lane] = mass[3 * batch.at(lane) + k];
     m[k] = hn::Load(kDoubles, corner);
   }
   return m;
-}
-
-/// Numbers that every node needs.
-struct Step {
-  Real dt, half_dt, two_over_dt, damping;
-  explicit Step(const System& system)
-      : dt(set(system.time_step)),
-        half_dt(set(0.5 * system.time_step)),
-        two_over_dt(set(2.0 / system.time_step)),
-        damping(set(system.local_damping)) {}
-};
-
-/// Eq. (I4), as damping_force() does.
-HWY_INLINE Real damping_force(Real force, Real coefficient, Real mean_velocity, Real impulse) {
-  const Real limit = Mul(impulse, hn::Abs(mean_velocity));
-  return hn::Neg(hn::CopySign(hn::Min(Mul(coefficient, hn::Abs(force)), limit), mean_velocity));
-}
-
-/// Sums of eight lanes, so that they do not depend on how many a register holds.
-struct LaneSums {
-  HWY_ALIGN double damping[kBlock] = {}, kinetic[kBlock] = {}, fastest[kBlock] = {};
-};
-
-/// What three nodes of a triangle add to them.
-struct Addends {
-  Real damping, kinetic, fastest;
-};
-
-/// Eqs. (I1)-(I4), as move_free_node() does.
-HWY_INLINE Points move_free_nodes(const Points& before, const Points& force, Real m, const Step& step, Addends& sums) {
-  const Real per_mass = hn::Div(step.dt, m);
-  const Points trial = before + per_mass * force;
-  const Points mean = set(0.5) * (before + trial);
-  const Real impulse = Mul(m, step.two_over_dt);
-  const Points damping{damping_force(force.x, step.damping, mean.x, impulse),
-                       damping_force(force.y, step.damping, mean.y, impulse)};
-  const Points v = trial + per_mass * damping;
-  sums.damping = Sub(sums.damping, Mul(step.half_dt, dot(damping, before + v)));
-  sums.kinetic = Add(sums.kinetic, Mul(Mul(set(0.5), m), dot(before, v)));
-  sums.fastest = hn::Max(sums.fastest, dot(v, v));
-  return v;
-}
-
-hn::Mask<Doubles> lanes_of(unsigned bits) {
-  HWY_ALIGN double flags[kLanes];
-  for (std::size_t lane = 0; lane < kLanes; ++lane) flags[lane] = bits >> lane & 1 ? 1.0 : 0.0;
-  return hn::Gt(hn::Load(kDoubles, flags), set(0.0));
-}
-
-constexpr unsigned kAllLanes = (1u << kLanes) - 1;
-
-/// Adds the lanes in `bits`.
-HWY_INLINE void add_lanes(Addends addends, unsigned bits, LaneSums& sums, std::size_t lane) {
-  if (bits != kAllLanes) {
-    const hn::Mask<Doubles> counted = lanes_of(bits);
-    addends = {hn::IfThenElseZero(counted, addends.damping), hn::IfThenElseZero(counted, addends.kinetic),
-               hn::IfThenElseZero(counted, addends.fastest)};
-  }
-  const auto add = [&](double* sum, Real value) { hn::Store(Add(hn::Load(kDoubles, sum), value), kDoubles, sum); };
-  add(sums.damping + lane, addends.damping);
-  add(sums.kinetic + lane, addends.kinetic);
-  hn::Store(hn::Max(hn::Load(kDoubles, sums.fastest + lane), addends.fastest), kDoubles, sums.fastest + lane);
 }
 
 /// Lanes with a corner behind a flat platen's face.

@@ -60,9 +60,10 @@ NodeSums move_nodes(System& system, const ParallelLoops& loops) {
       return move_triangles_fast(system, begin, end);
     });
   }
-  return loops.sum_blocks<NodeSums>(system.particles.node_count(), [&](std::size_t begin, std::size_t end) {
-    return move_nodes_reference(system, begin, end);
-  });
+  const bool plain = system.platens.jaw.radius == 0.0 && system.body_acceleration == Vec2{};
+  const auto move = system.kernel == Kernel::fast && plain ? move_nodes_fast : move_nodes_reference;
+  return loops.sum_blocks<NodeSums>(system.particles.node_count(),
+                                    [&](std::size_t begin, std::size_t end) { return move(system, begin, end); });
 }
 
 }  // namespace
@@ -83,8 +84,8 @@ void compute_forces(System& system, const ParallelLoops& loops) {
   std::fill(system.forces.begin() + 2 * contact_slot_count(system.contacts.size()),
             system.forces.begin() + 2 * system.contacts.slot_count(), Vec2{});
   if (corners_written(system)) {
-    loops.for_blocks(p.triangle_count(),
-                     [&](std::size_t begin, std::size_t end) { compute_corner_forces(system, begin, end); });
+    const auto compute = system.kernel == Kernel::fast ? compute_corner_forces_fast : compute_corner_forces;
+    loops.for_blocks(p.triangle_count(), [&](std::size_t begin, std::size_t end) { compute(system, begin, end); });
   }
   const int changes = update_contacts(system.contacts, p.position, system.time, loops, system.forces, system.kernel);
   update_general_contacts(system.general, system.contacts, p, system.time_step, loops, forces);

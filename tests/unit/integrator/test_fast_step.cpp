@@ -12,14 +12,36 @@ namespace {
 
 const ParallelLoops kLoops;
 
+/// Triangles as particles between flat platens or curved jaws, or grains of two that share nodes, half of them of
+/// another elasticity, between flat platens.
+enum class Kind { flat, curved, grains };
+
+/// A block that takes two nodes along, and elastic grains.
+void add_grain_parts(System& system) {
+  Particles& p = system.particles;
+  p.bulk = elastic_constants(900.0, 0.1, PlaneCondition::strain);
+  p.in_bulk.resize(p.triangle_count());
+  for (std::size_t t = 0; t < p.triangle_count(); ++t) p.in_bulk[t] = t / 2 % 3 == 0;
+  RigidBlock block;
+  block.nodes = {120, 121};
+  for (int node : block.nodes) block.mass += p.mass[node];
+  block.free_along_y = true;
+  system.blocks = {block};
+  system.block_of.assign(p.node_count(), -1);
+  for (int node : block.nodes) system.block_of[node] = 0;
+}
+
 /// Cells of bonded triangles between platens with friction, under damping, some nodes held, some loaded.
-System busy_system(Kernel kernel, bool curved) {
-  const Mesh mesh = test::grid_mesh({9, 7});  // 126 triangles: the last register is not full
+System busy_system(Kernel kernel, Kind kind) {
+  Mesh mesh = test::grid_mesh({9, 7});  // 126 triangles: the last register is not full
+  const bool curved = kind == Kind::curved, grains = kind == Kind::grains;
+  for (std::size_t t = 0; grains && t < mesh.grain.size(); ++t) mesh.grain[t] = static_cast<int>(t / 2);
   const RunConfig config = test::plaster();
   System system;
   system.particles = make_particles(mesh, config.particles, config.experiment.plane);
   system.contacts = make_contacts(mesh, system.particles, law_parameters(config), LawReading::consistent);
   system.kernel = kernel;
+  if (grains) add_grain_parts(system);
   prepare(system);
   system.time_step = 0.5 * critical_time_step(system, kLoops);
   system.local_damping = 0.4;
@@ -35,7 +57,10 @@ System busy_system(Kernel kernel, bool curved) {
   system.held.assign(system.particles.node_count(), 0);
   for (std::size_t node : {100, 101, 102, 250}) system.held[node] = 1;
   system.flank.pressure = 3.0;
-  for (int t : {5, 60, 125}) system.flank.edges.push_back({{3 * t, 3 * t + 1}, 0.5});
+  for (int t : {5, 60, 125}) {
+    const auto& n = system.particles.triangles[t];
+    system.flank.edges.push_back({{n[0], n[1]}, 0.5});
+  }
   test::scatter_velocities(system, 1e4);
   return system;
 }
@@ -73,8 +98,8 @@ bool same_bytes(const System& a, const System& b) {
          a.damping_energy == b.damping_energy && a.contacts.broken_index == b.contacts.broken_index;
 }
 
-System after_steps(int steps, bool curved) {
-  System system = busy_system(Kernel::fast, curved);
+System after_steps(int steps, Kind kind) {
+  System system = busy_system(Kernel::fast, kind);
   test::advance(system, kLoops, steps);
   return system;
 }
@@ -82,8 +107,8 @@ System after_steps(int steps, bool curved) {
 }  // namespace
 
 TEST_CASE("a step of the fast kernel is that of the reference, to rounding") {
-  const bool curved = GENERATE(false, true);
-  System fast = busy_system(Kernel::fast, curved), reference = busy_system(Kernel::reference, curved);
+  const Kind kind = GENERATE(Kind::flat, Kind::curved, Kind::grains);
+  System fast = busy_system(Kernel::fast, kind), reference = busy_system(Kernel::reference, kind);
   for (System* system : {&fast, &reference}) {
     compute_forces(*system, kLoops);
     update_velocities(*system, kLoops);
@@ -103,14 +128,14 @@ TEST_CASE("a step of the fast kernel is that of the reference, to rounding") {
 }
 
 TEST_CASE("every instruction set gives the same bytes") {
-  const bool curved = GENERATE(false, true);
-  const System best = after_steps(200, curved);
+  const Kind kind = GENERATE(Kind::flat, Kind::curved, Kind::grains);
+  const System best = after_steps(200, kind);
   CHECK(best.contacts.broken.size() > 20);  // otherwise nothing was tried
   const std::vector<InstructionSet> sets = instruction_sets();
   for (const InstructionSet& set : sets) {
     const ForcedInstructionSet forced(set);
     INFO(set.name);
-    CHECK(same_bytes(after_steps(200, curved), best));
+    CHECK(same_bytes(after_steps(200, kind), best));
   }
   WARN(sets.size() << " instruction sets give the same bytes");
   CHECK(sets.size() >= 2);
