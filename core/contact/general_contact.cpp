@@ -29,9 +29,21 @@ bool overlap(const PresentTriangle& a, const PresentTriangle& b, double stiffeni
 /// Part of an inradius that counts as room beyond a seat, however deep that is.
 constexpr double kLeastRoom = 0.25;
 
-double deepest_of(const std::array<EdgePart, 6>& parts) {
+double inradius(const PresentTriangle& t) { return 1.0 / (1.0 / t.height[0] + 1.0 / t.height[1] + 1.0 / t.height[2]); }
+
+/// Whether `other` covers the point of `t` that lies deepest below all its edges.
+bool covers_incentre(const PresentTriangle& other, const PresentTriangle& t) {
+  Vec2 incentre{};
+  for (int k = 0; k < 3; ++k) incentre += (inradius(t) / t.height[k]) * t.x[(k + 2) % 3];
+  return other.depth(0, incentre) > 0.0 && other.depth(1, incentre) > 0.0 && other.depth(2, incentre) > 0.0;
+}
+
+/// Largest phi anywhere in the overlap of both, mm: on an edge, or where one covers the other's incentre.
+double deepest_of(const PresentTriangle& a, const PresentTriangle& b, const std::array<EdgePart, 6>& parts) {
   double deepest = 0.0;
   for (const EdgePart& part : parts) deepest = std::max(deepest, part.deepest);
+  if (covers_incentre(b, a)) deepest = std::max(deepest, inradius(a));
+  if (covers_incentre(a, b)) deepest = std::max(deepest, inradius(b));
   return deepest;
 }
 
@@ -41,8 +53,6 @@ double overlap_potentials(const GeneralContacts& general, const MemberPair& pair
   return overlap_potential(a, b.x, general.stiffening, pair.seat) +
          overlap_potential(b, a.x, general.stiffening, pair.seat);
 }
-
-double inradius(const PresentTriangle& t) { return 1.0 / (1.0 / t.height[0] + 1.0 / t.height[1] + 1.0 / t.height[2]); }
 
 /// Eq. (C54): where a pair overlaps when it begins to meet; more as the bonds that still hold it let it slip on, less as
 /// soon as it overlaps less. Returns the overlap potential (mm3, at weight 1) that yielding gave up.
@@ -54,7 +64,7 @@ double seat_pair(const GeneralContacts& general, double weight, MemberPair& pair
     pair.seat = kUnseated;
     return 0.0;
   }
-  const double deepest = deepest_of(parts), yielding = std::max(0.0, deepest - general.play);
+  const double deepest = deepest_of(a, b, parts), yielding = std::max(0.0, deepest - general.play);
   if (pair.seat == kUnseated) {
     pair.seat = weight >= kTakenOver && yielding > 0.0 ? deepest : yielding;
     return 0.0;

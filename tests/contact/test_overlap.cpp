@@ -39,11 +39,12 @@ struct Couple {
     system = test::make_bodies(bodies, material, 0.3);
   }
 
-  /// Forces of the contact alone at the present positions.
+  /// Forces of the contact alone at the present positions, as of a pair that met in the open: without a seat.
   const std::vector<Vec2>& contact_forces() {
     const std::vector<int>& slot_of_edge = system.contacts.slot_of_edge;
     std::vector<Vec2> slots(2 * system.contacts.slot_count());
-    system.general.search_due = 1;
+    search_pairs(system.general, system.contacts, system.particles, kLoops);
+    for (MemberPair& pair : system.general.pairs) pair.seat = 0.0;
     update_general_contacts(system.general, system.contacts, system.particles, system.time_step, kLoops,
                             {slots, slot_of_edge, 0});
     for (int corner = 0; corner < 6; ++corner) forces[corner] = slots[2 * slot_of_edge[corner]];
@@ -207,6 +208,41 @@ TEST_CASE("Forces are continuous along random paths of corner past corner") {
   }
   CHECK(worst < 0.75);
   WARN("largest change in half a step over that in a whole one " << worst);
+}
+
+TEST_CASE("A pair that begins to meet overlapped takes its seat there, and presses only beyond it") {
+  RandomStream random(5, "seats");
+  int tried = 0;
+  while (tried < 100) {
+    Couple couple = random_couple(random, {0.0, kPenalty, kPenalty});
+    GeneralContacts& general = couple.system.general;
+    const Vec2 middle_a = (1.0 / 3.0) * (couple.present(0).x[0] + couple.present(0).x[1] + couple.present(0).x[2]);
+    const Vec2 middle_b = (1.0 / 3.0) * (couple.present(1).x[0] + couple.present(1).x[1] + couple.present(1).x[2]);
+    general.pairs.clear();
+    general.touches.clear();
+    const auto force = [&] {
+      std::vector<Vec2> slots(2 * couple.system.contacts.slot_count());
+      update_general_contacts(general, couple.system.contacts, couple.system.particles, couple.system.time_step, kLoops,
+                              {slots, couple.system.contacts.slot_of_edge, 0});
+      double largest = 0.0;
+      for (const Vec2& f : slots) largest = std::max(largest, norm(f));
+      return largest;
+    };
+    general.search_due = 1;
+    CHECK(force() == 0.0);
+    REQUIRE(general.pairs.size() == 1);
+    if (general.pairs[0].seat == 0.0) continue;  // overlapped by less than the play
+    ++tried;
+    CHECK(general_contact_energies(general, kLoops).normal == 0.0);
+    const double seat = general.pairs[0].seat;
+    const Vec2 away = middle_b - middle_a;
+    for (int k = 3; k < 6; ++k) couple.system.particles.position[k] += (1e-3 / norm(away)) * away;
+    force();
+    CHECK(general.pairs[0].seat <= seat);
+    for (int k = 3; k < 6; ++k) couple.system.particles.position[k] += (1e2 / norm(away)) * away;
+    CHECK(force() == 0.0);  // parted: the seat is forgotten
+    CHECK(general.pairs[0].seat == kUnseated);
+  }
 }
 
 TEST_CASE("Near boxes: the same pairs as brute force, whatever the boxes' sizes") {
