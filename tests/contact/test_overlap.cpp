@@ -229,11 +229,12 @@ TEST_CASE("A pair that begins to meet overlapped takes its seat there, and press
       return largest;
     };
     general.search_due = 1;
-    CHECK(force() == 0.0);
+    const double first = force();
     REQUIRE(general.pairs.size() == 1);
     if (general.pairs[0].seat == 0.0) continue;  // overlapped by less than the play
     ++tried;
-    CHECK(general_contact_energies(general, kLoops).normal == 0.0);
+    CHECK(first < 1e-9);  // N per mm, where unseated pairs of this kind press with up to some hundred
+    CHECK(general_contact_energies(general, kLoops).normal < 1e-9);
     const double seat = general.pairs[0].seat;
     const Vec2 away = middle_b - middle_a;
     for (int k = 3; k < 6; ++k) couple.system.particles.position[k] += (1e-3 / norm(away)) * away;
