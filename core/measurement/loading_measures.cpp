@@ -89,7 +89,7 @@ std::optional<ElasticResult> gauge_slopes(const CurveShape& shape) {
   const std::vector<double> nothing(shape.first.load.size(), 0.0);
   const CurveReading& r = shape.reading;
   const double base = base_load(r);
-  const StressWindow window{base + r.modulus_window_low * shape.peak, base + r.modulus_window_high * shape.peak};
+  const StressRange window{base + r.modulus_window_low * shape.peak, base + r.modulus_window_high * shape.peak};
   return elastic_slopes({shape.first.load, shape.first.gauge_strain, has_lateral(shape) ? shape.first.lateral_strain : nothing},
                         shape.peak_row, window, r.plane);
 }

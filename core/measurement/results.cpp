@@ -33,7 +33,7 @@ std::optional<double> first_drop(std::span<const Sample> samples, double strain_
   return first_drop(stress, cracks, 0.0);
 }
 
-std::optional<ElasticResult> elastic_slopes(const ElasticColumns& columns, std::size_t end, const StressWindow& window,
+std::optional<ElasticResult> elastic_slopes(const ElasticColumns& columns, std::size_t end, const StressRange& window,
                                             std::optional<PlaneCondition> plane) {
   const auto rows = window_rows(columns.stress_mpa, end, window.low_mpa, window.high_mpa);
   if (rows.size() < 3) return std::nullopt;
@@ -47,7 +47,7 @@ std::optional<ElasticResult> elastic_slopes(const ElasticColumns& columns, std::
 
 std::optional<ElasticResult> fit_moduli(std::span<const Sample> samples, const Peak& peak, const RunConfig& config) {
   const double base = config.experiment.confining_pressure_mpa;
-  const StressWindow window{base + config.measurement.modulus_window_low * (peak.stress_mpa - base),
+  const StressRange window{base + config.measurement.modulus_window_low * (peak.stress_mpa - base),
                             base + config.measurement.modulus_window_high * (peak.stress_mpa - base)};
   std::vector<double> stress, axial, lateral;
   for (const Sample& s : samples.first(peak.index)) {

@@ -34,13 +34,13 @@ struct ElasticColumns {
 };
 
 /// Total axial stresses between which a modulus is read, MPa.
-struct StressWindow {
+struct StressRange {
   double low_mpa = 0, high_mpa = 0;
 };
 
 /// Least-squares slopes over the rows before `end` whose stress lies in the window; Eqs. (M4)-(M6), corrected for the
 /// plane condition where there is one (a real specimen has none). Empty where fewer than three rows lie in it.
-std::optional<ElasticResult> elastic_slopes(const ElasticColumns& columns, std::size_t end, const StressWindow& window,
+std::optional<ElasticResult> elastic_slopes(const ElasticColumns& columns, std::size_t end, const StressRange& window,
                                             std::optional<PlaneCondition> plane);
 
 /// The same of a run between the two fractions of the peak (measured from the confining
