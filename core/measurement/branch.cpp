@@ -1,12 +1,15 @@
 #include "core/measurement/branch.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace asperity {
 namespace {
 
 /// A window that ends at a row is taken in place of the one around it only where it fits so much better: at an edge.
-constexpr double kEdgeShare = 0.5;
+constexpr double kEdgeShare = 0.33;
+/// A parabola over fewer rows is no smoothing.
+constexpr std::size_t kFewestRows = 5;
 
 struct Fitted {
   double value = 0;
@@ -34,15 +37,38 @@ Fitted fit_rows(std::span<const double> values, std::size_t begin, std::size_t e
   return {mean + slope * (static_cast<double>(row) - middle), square / n};
 }
 
-/// One row's value from the best of the windows around it, before it and after it.
+/// The parabola over the same rows: it follows a bend that a line would cut off.
+Fitted fit_parabola(std::span<const double> values, std::size_t begin, std::size_t end, std::size_t row) {
+  const auto n = static_cast<double>(end - begin + 1);
+  const double middle = 0.5 * static_cast<double>(begin + end);
+  const double mean_square = (n * n - 1.0) / 12.0;  // of whole steps about their middle
+  double mean = 0, along = 0, spread = 0, bend = 0, bend_spread = 0;
+  for (std::size_t i = begin; i <= end; ++i) {
+    const double t = static_cast<double>(i) - middle, p = t * t - mean_square;
+    mean += values[i] / n;
+    along += t * values[i];
+    spread += t * t;
+    bend += p * values[i];
+    bend_spread += p * p;
+  }
+  const auto at = [&](std::size_t i) {
+    const double t = static_cast<double>(i) - middle;
+    return mean + along / spread * t + bend / bend_spread * (t * t - mean_square);
+  };
+  double square = 0;
+  for (std::size_t i = begin; i <= end; ++i) square += (values[i] - at(i)) * (values[i] - at(i));
+  return {at(row), square / n};
+}
+
+/// One row's value from the parabola around it or, at an edge, the line before it or after it.
 double smooth_value(std::span<const double> values, std::size_t row, std::size_t half) {
   const std::size_t last = values.size() - 1;
   const auto before = [&](std::size_t n) { return row > n ? row - n : 0; };
   const auto after = [&](std::size_t n) { return std::min(last, row + n); };
-  const Fitted around = fit_rows(values, before(half), after(half), row);
-  const Fitted up_to = fit_rows(values, before(2 * half), row, row);
-  const Fitted from = fit_rows(values, row, after(2 * half), row);
-  const bool can_end = row >= 2 * half, can_begin = row + 2 * half <= last;
+  const Fitted around = fit_parabola(values, before(half), after(half), row);
+  const Fitted up_to = fit_rows(values, before(half), row, row);
+  const Fitted from = fit_rows(values, row, after(half), row);
+  const bool can_end = row >= half, can_begin = row + half <= last;
   if (can_end && up_to.square < kEdgeShare * around.square && (!can_begin || up_to.square <= from.square)) {
     return up_to.value;
   }
@@ -51,10 +77,22 @@ double smooth_value(std::span<const double> values, std::size_t row, std::size_t
 
 std::vector<double> smoothed(const std::vector<double>& values, std::size_t rows) {
   const std::size_t half = rows / 2;
-  if (half == 0) return values;
+  if (half < 2 || values.size() < kFewestRows) return values;
   std::vector<double> result(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) result[i] = smooth_value(values, i, half);
   return result;
+}
+
+/// The first row of which something holds; of the rows that follow it closely, the one that parts them best, Eq. (F26).
+template <class Holds>
+std::optional<std::size_t> first_row(const Holds& holds, std::size_t begin, std::size_t end, std::size_t closely) {
+  std::size_t row = begin;
+  while (row < end && !holds(row)) ++row;
+  if (row >= end) return std::nullopt;
+  std::vector<bool> following;
+  for (std::size_t i = row; i < std::min(end, row + closely); ++i) following.push_back(holds(i));
+  const std::size_t parting = row + parting_row(following);
+  return parting < end && holds(parting) ? parting : row;
 }
 
 }  // namespace
@@ -63,6 +101,7 @@ Branch make_branch(std::vector<double> path, std::vector<double> load, std::size
   Branch branch;
   branch.smooth_path = smoothed(path, rows);
   branch.smooth_load = smoothed(load, rows);
+  branch.smoothing_rows = rows;
   branch.path = std::move(path);
   branch.load = std::move(load);
   return branch;
@@ -75,40 +114,50 @@ std::vector<double> trailing_values(std::span<const double> values, std::size_t 
   return result;
 }
 
+std::size_t parting_row(const std::vector<bool>& holds) {
+  int score = 0, best_score = 0;
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < holds.size(); ++i) {
+    score += holds[i] ? -1 : 1;
+    if (score <= best_score) continue;
+    best_score = score;
+    best = i + 1;
+  }
+  return best;
+}
+
 std::optional<Crossing> find_crossing(const Branch& branch, double level, Direction direction, std::size_t begin,
                                       std::size_t end) {
   const std::vector<double>& load = branch.smooth_load;
   const std::vector<double>& path = branch.smooth_path;
   const auto beyond = [&](std::size_t i) { return direction == Direction::rising ? load[i] >= level : load[i] <= level; };
-  for (std::size_t i = begin; i < std::min(end, load.size()); ++i) {
-    if (!beyond(i)) continue;
-    if (i == begin || load[i] == load[i - 1]) return Crossing{path[i], i};
-    const double share = (level - load[i - 1]) / (load[i] - load[i - 1]);
-    return Crossing{path[i - 1] + share * (path[i] - path[i - 1]), i};
-  }
-  return std::nullopt;
+  const auto row = first_row(beyond, begin, std::min(end, load.size()), 2 * branch.smoothing_rows);
+  if (!row) return std::nullopt;
+  if (*row == begin) return Crossing{path[*row], *row, 1.0};
+  const double share = beyond(*row - 1) ? 0.5 : (level - load[*row - 1]) / (load[*row] - load[*row - 1]);
+  return Crossing{path[*row - 1] + share * (path[*row] - path[*row - 1]), *row, share};
 }
 
 std::optional<double> load_at(const Branch& branch, double path, std::size_t begin) {
-  for (std::size_t i = begin; i < branch.smooth_path.size(); ++i) {
-    const double there = branch.smooth_path[i];
-    if (there < path) continue;
-    if (i == begin || there == branch.smooth_path[i - 1]) return branch.smooth_load[i];
-    const double before = branch.smooth_path[i - 1];
-    const double share = (path - before) / (there - before);
-    return branch.smooth_load[i - 1] + share * (branch.smooth_load[i] - branch.smooth_load[i - 1]);
-  }
-  return std::nullopt;
+  const std::vector<double>& there = branch.smooth_path;
+  const auto beyond = [&](std::size_t i) { return there[i] >= path; };
+  const auto row = first_row(beyond, begin, there.size(), 2 * branch.smoothing_rows);
+  if (!row) return std::nullopt;
+  if (*row == begin) return branch.smooth_load[*row];
+  const double share = beyond(*row - 1) ? 0.5 : (path - there[*row - 1]) / (there[*row] - there[*row - 1]);
+  return branch.smooth_load[*row - 1] + share * (branch.smooth_load[*row] - branch.smooth_load[*row - 1]);
 }
 
 std::optional<Line> compliance_line(const Branch& branch, std::size_t end, double low, double high) {
-  const std::vector<std::size_t> rows = window_rows(branch.load, end, low, high);
+  const std::vector<std::size_t> rows = window_rows(branch.smooth_load, end, low, high);
   if (rows.size() < 3) return std::nullopt;
-  const std::vector<double> load = gather(branch.load, rows);
-  if (*std::max_element(load.begin(), load.end()) <= *std::min_element(load.begin(), load.end())) return std::nullopt;
-  const Line line = fit_line(load, gather(branch.path, rows));
-  if (line.slope <= 0.0) return std::nullopt;
-  return line;
+  const std::vector<double> load = gather(branch.load, rows), path = gather(branch.path, rows);
+  const double slope = slope_in_order(load, path);
+  if (slope <= 0.0) return std::nullopt;
+  const auto n = static_cast<double>(rows.size());
+  const double mean_load = std::accumulate(load.begin(), load.end(), 0.0) / n;
+  const double mean_path = std::accumulate(path.begin(), path.end(), 0.0) / n;
+  return Line{slope, mean_path - slope * mean_load};
 }
 
 }  // namespace asperity

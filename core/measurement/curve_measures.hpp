@@ -16,10 +16,9 @@ struct FeatureValue {
 /// Stated shares and windows of the features, fractions of the peak load unless said otherwise.
 namespace feature_limits {
 inline constexpr double kInitialLow = 0.05, kInitialHigh = 0.2;  ///< Initial stiffness.
-inline constexpr double kLateLow = 0.6, kLateHigh = 0.8;         ///< Late stiffness.
+inline constexpr double kLateLow = 0.55, kLateHigh = 0.85;       ///< Late stiffness.
 inline constexpr double kToeLoad = 0.02;       ///< The toe's travel is read here.
 inline constexpr double kLeastToe = 0.01;      ///< Over the path to the peak: less is no toe.
-inline constexpr double kToeLeft = 0.1;        ///< A toe ends where this share of its travel is left.
 inline constexpr double kStiffnessLost = 0.1;  ///< Share of the secant stiffness whose loss ends the linear part.
 inline constexpr double kFallBegins = 0.95;
 inline constexpr double kDropSpan = 0.2;  ///< Over the path from toe to peak.

@@ -38,23 +38,51 @@ std::size_t smoothing_rows(const CurveShape& shape, std::size_t reach) {
   return rows < kFewestRows ? 0 : rows;
 }
 
-bool falls_after(const std::vector<double>& load, std::size_t row, double level) {
-  return std::any_of(load.begin() + row + 1, load.end(), [&](double q) { return q < level; });
+/// Whether the load falls behind the peak by more than noise, or the path goes on without a larger load.
+bool peak_is_passed(const CurveShape& shape, std::size_t reach) {
+  const std::vector<double> load = trailing_values(shape.first.load, shape.smoothing_rows);
+  const double top = load[shape.peak_row];
+  const double least = top - kFallDeviations * shape.reading.load_noise * std::abs(top);
+  const bool falls = std::any_of(load.begin() + shape.peak_row, load.begin() + reach, [&](double q) { return q < least; });
+  return falls || shape.first.path[reach - 1] >= (1.0 + kPlateau) * shape.peak_path;
 }
 
-/// Eq. (F4).
+std::size_t largest_row(const std::vector<double>& load, std::size_t begin, std::size_t reach, std::size_t step) {
+  std::size_t row = begin;
+  for (std::size_t i = begin; i < reach; i += step) {
+    if (load[i] > load[row]) row = i;
+  }
+  return row;
+}
+
+/// Line through every other row up to one of them: the rows between have no part in it.
+double every_other(const std::vector<double>& values, std::size_t row, std::size_t rows) {
+  std::vector<double> chosen;
+  for (std::size_t back = std::min(rows, row) / 2 * 2; back > 0; back -= 2) chosen.push_back(values[row - back]);
+  chosen.push_back(values[row]);
+  return trailing_values(chosen, chosen.size() - 1).back();
+}
+
+/// Eq. (F4): where noise is smoothed, one half of the rows finds the peak and the other half tells how high it is.
 void find_peak(CurveShape& shape, std::size_t reach) {
-  const std::vector<double> load = trailing_values(shape.first.load, shape.smoothing_rows);
-  const std::vector<double> path = trailing_values(shape.first.path, shape.smoothing_rows);
-  shape.peak_row = static_cast<std::size_t>(std::max_element(load.begin(), load.begin() + reach) - load.begin());
+  const std::vector<double>& load = shape.first.load;
+  const std::vector<double>& path = shape.first.path;
+  const std::size_t rows = shape.smoothing_rows;
   const double base = base_load(shape.reading);
-  shape.peak = load[shape.peak_row] - base;
-  shape.peak_path = path[shape.peak_row];
-  const double noise = kFallDeviations * shape.reading.load_noise * load[shape.peak_row];
-  const std::vector<double> reached(load.begin(), load.begin() + reach);
-  const bool goes_on = path[reach - 1] >= (1.0 + kPlateau) * shape.peak_path;
-  shape.peak_passed =
-      shape.peak > 0.0 && (goes_on || falls_after(reached, shape.peak_row, load[shape.peak_row] - noise));
+  if (rows == 0) {
+    shape.peak_row = largest_row(load, 0, reach, 1);
+    shape.peak = load[shape.peak_row] - base;
+    shape.peak_path = path[shape.peak_row];
+  } else {
+    std::vector<double> half(load.size());
+    for (std::size_t i = 0; i < load.size(); ++i) half[i] = every_other(load, i, rows);
+    const std::size_t even = largest_row(half, 0, reach, 2), odd = largest_row(half, 1, reach, 2);
+    shape.peak = 0.5 * (half[even > 0 ? even - 1 : 0] + half[odd - 1]) - base;
+    const std::vector<double> smooth_path = trailing_values(path, rows);
+    shape.peak_path = 0.5 * (smooth_path[even] + smooth_path[odd]);
+    shape.peak_row = (even + odd) / 2;
+  }
+  shape.peak_passed = shape.peak > 0.0 && peak_is_passed(shape, reach);
 }
 
 Branch branch_of(const Curve& curve, std::size_t begin, std::size_t end, const CurveShape& shape) {

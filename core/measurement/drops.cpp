@@ -21,13 +21,14 @@ std::vector<Drop> find_drops(std::span<const double> load, double least) {
   return drops;
 }
 
-std::optional<double> first_drop(std::span<const double> load, std::span<const double> events, double bearing) {
+std::optional<double> first_drop(std::span<const double> load, std::span<const double> events,
+                                 const FirstDropRule& rule) {
   constexpr double kDrop = 0.1;
   double largest = 0.0;
   for (std::size_t i = 0; i < load.size(); ++i) {
     largest = std::max(largest, load[i]);
-    const bool counts = events.empty() ? largest >= bearing : events[i] > 0.0;
-    if (counts && load[i] < (1.0 - kDrop) * largest) return largest;
+    const bool counts = events.empty() ? largest >= rule.bearing : events[i] > 0.0;
+    if (counts && load[i] < (1.0 - kDrop) * largest && largest - load[i] > rule.noise) return largest;
   }
   return std::nullopt;
 }

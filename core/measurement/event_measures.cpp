@@ -20,7 +20,9 @@ FeatureValue share_at(const CurveShape& shape, double share) {
   if (*all.value <= 0.0) return absent("no event before the peak");
   const auto there = find_crossing(shape.branch, share * shape.peak, Direction::rising, 0, shape.peak_row + 1);
   if (!there) return absent("the load does not reach the share before the peak");
-  return {shape.first.events[there->row] / *all.value, ""};
+  const std::vector<double>& events = shape.first.events;
+  const double before = there->row > 0 ? events[there->row - 1] : 0.0;
+  return {(before + there->share * (events[there->row] - before)) / *all.value, ""};
 }
 
 }  // namespace

@@ -12,15 +12,17 @@ namespace {
 
 /// Load at which the line, bent by the share of stiffness that may be lost, meets the curve; Eq. (F11).
 FeatureValue load_where_bent(const CurveShape& shape, const Branch& branch, const Line& line) {
-  const double top = shape.reading.modulus_window_high * shape.peak;
-  for (std::size_t i = 0; i <= shape.peak_row; ++i) {
-    const double load = branch.smooth_load[i];
-    if (load < top) continue;
-    if (branch.smooth_path[i] - line.intercept > line.slope * load / (1.0 - kStiffnessLost)) {
-      return {load + base_load(shape.reading), ""};
-    }
+  const auto from = find_crossing(shape.branch, shape.reading.modulus_window_high * shape.peak, Direction::rising, 0,
+                                  shape.peak_row + 1);
+  if (!from) return absent("the curve begins above the modulus window");
+  std::vector<bool> bent;
+  for (std::size_t i = from->row; i <= shape.peak_row; ++i) {
+    const double straight = line.slope * branch.smooth_load[i] / (1.0 - kStiffnessLost);
+    bent.push_back(branch.smooth_path[i] - line.intercept > straight);
   }
-  return absent("the secant stiffness falls by less than a tenth before the peak");
+  const std::size_t row = parting_row(bent);
+  if (row >= bent.size()) return absent("the secant stiffness falls by less than a tenth before the peak");
+  return {branch.smooth_load[from->row + row] + base_load(shape.reading), ""};
 }
 
 }  // namespace
@@ -44,7 +46,7 @@ FeatureValue late_stiffness_ratio(const CurveShape& shape) {
   const std::string why = no_line(shape);
   if (!why.empty()) return {std::nullopt, why};
   const auto line = compliance_line(shape.branch, shape.peak_row, kLateLow * shape.peak, kLateHigh * shape.peak);
-  if (!line) return absent("fewer than three rows lie between 0.6 and 0.8 of the peak, or they do not rise");
+  if (!line) return absent("fewer than three rows lie between 0.55 and 0.85 of the peak, or they do not rise");
   return {shape.line->slope / line->slope, ""};
 }
 
@@ -66,12 +68,15 @@ FeatureValue toe_extent(const CurveShape& shape) {
   const FeatureValue travel = toe_travel(shape);
   if (!travel.value) return travel;
   if (*travel.value < kLeastToe * loading_path(shape)) return absent("no toe: it travels less than 0.01 of the way to the peak");
-  for (std::size_t i = 0; i < shape.peak_row; ++i) {
-    const double load = shape.branch.smooth_load[i];
-    if (load < kToeLoad * shape.peak) continue;
-    if (shape.line->at(load) - shape.branch.smooth_path[i] <= kToeLeft * *travel.value) return {load / shape.peak, ""};
-  }
-  return absent("the toe does not end before the peak");
+  const double low = kToeLoad * shape.peak, high = shape.reading.modulus_window_high * shape.peak;
+  const auto from = find_crossing(shape.branch, low, Direction::rising, 0, shape.peak_row + 1);
+  const auto to = find_crossing(shape.branch, high, Direction::rising, 0, shape.peak_row + 1);
+  if (!from || !to) return absent("the curve begins above the toe");
+  const std::vector<double>& load = shape.branch.smooth_load;
+  const auto gap = [&](std::size_t i) { return shape.line->at(load[i]) - shape.branch.smooth_path[i]; };
+  double area = *travel.value * (load[from->row] - low);
+  for (std::size_t i = from->row; i < to->row; ++i) area += 0.5 * (gap(i) + gap(i + 1)) * (load[i + 1] - load[i]);
+  return {area / (*travel.value * shape.peak), ""};
 }
 
 FeatureValue nonlinearity_load(const CurveShape& shape) {
@@ -88,9 +93,12 @@ bool has_lateral(const CurveShape& shape) { return !shape.first.lateral_strain.e
 std::optional<ElasticResult> gauge_slopes(const CurveShape& shape) {
   const std::vector<double> nothing(shape.first.load.size(), 0.0);
   const CurveReading& r = shape.reading;
+  const std::vector<double>& gauge = shape.first.gauge_strain;
+  const double noise = r.path_noise * *std::max_element(gauge.begin(), gauge.end());
   const double base = base_load(r);
   const StressRange window{base + r.modulus_window_low * shape.peak, base + r.modulus_window_high * shape.peak};
-  return elastic_slopes({shape.first.load, shape.first.gauge_strain, has_lateral(shape) ? shape.first.lateral_strain : nothing},
+  return elastic_slopes({shape.first.load, gauge, has_lateral(shape) ? shape.first.lateral_strain : nothing,
+                         noise},
                         shape.peak_row, window, r.plane);
 }
 
@@ -139,7 +147,7 @@ FeatureValue late_lateral_ratio(const CurveShape& shape) {
   const std::string why = no_lateral(shape);
   if (!why.empty()) return {std::nullopt, why};
   const auto slope = lateral_slope(shape, kLateLow, kLateHigh);
-  if (!slope) return absent("fewer than three rows lie between 0.6 and 0.8 of the peak");
+  if (!slope) return absent("fewer than three rows lie between 0.55 and 0.85 of the peak");
   return {*slope, ""};
 }
 

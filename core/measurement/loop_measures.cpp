@@ -13,8 +13,8 @@ namespace {
 constexpr double kLoopLow = 0.2, kLoopHigh = 0.8;
 /// ...and, for the line that a reload's toe is measured from, as high as the modulus window is.
 constexpr double kReloadLow = 0.5, kReloadHigh = 0.9;
-/// A reload shows a toe only from below this share of the peak.
-constexpr double kUnloaded = 0.1;
+/// Share of the peak at which a reload's toe is read; it begins below.
+constexpr double kReloadToe = 0.05;
 
 std::string no_loop(const CurveShape& shape) {
   const std::string why = no_peak(shape);
@@ -50,13 +50,6 @@ FeatureValue stiffness(const std::vector<Branch>& branches) {
   });
 }
 
-/// The load at which toes are compared, where the reload begins below it.
-std::optional<double> toe_load(const CurveShape& shape, const Branch& reload) {
-  const double least = *std::min_element(reload.smooth_load.begin(), reload.smooth_load.end());
-  if (least > kUnloaded * shape.peak) return std::nullopt;
-  return std::max(least, 0.0) + kToeLoad * shape.peak;
-}
-
 }  // namespace
 
 FeatureValue loop_count(const CurveShape& shape) { return {static_cast<double>(shape.reloading.size()), ""}; }
@@ -76,21 +69,20 @@ FeatureValue reloading_stiffness(const CurveShape& shape) {
 FeatureValue reload_toe_travel(const CurveShape& shape) {
   const std::string why = no_loop(shape);
   if (!why.empty()) return {std::nullopt, why};
-  return mean_over(shape.reloading, "no unloading below a tenth of the peak", [&](const Branch& b) -> std::optional<double> {
-    const auto load = toe_load(shape, b);
+  return mean_over(shape.reloading, "no unloading below 0.05 of the peak", [&](const Branch& b) -> std::optional<double> {
     const auto line = loop_line(b, kReloadLow, kReloadHigh);
-    return load && line ? travel_of(b, *line, *load) : std::nullopt;
+    return line ? travel_of(b, *line, kReloadToe * shape.peak) : std::nullopt;
   });
 }
 
 FeatureValue permanent_path(const CurveShape& shape) {
   const std::string why = no_loop(shape);
   if (!why.empty()) return {std::nullopt, why};
-  return mean_over(shape.reloading, "no unloading below a tenth of the peak", [&](const Branch& b) -> std::optional<double> {
-    const auto load = toe_load(shape, b);
-    if (!load) return std::nullopt;
-    const auto before = find_crossing(shape.branch, *load, Direction::rising, 0, shape.peak_row + 1);
-    const auto after = find_crossing(b, *load, Direction::rising, 0, b.load.size());
+  return mean_over(shape.reloading, "no unloading below 0.05 of the peak", [&](const Branch& b) -> std::optional<double> {
+    const double load = kReloadToe * shape.peak;
+    if (b.smooth_load.front() >= load) return std::nullopt;
+    const auto before = find_crossing(shape.branch, load, Direction::rising, 0, shape.peak_row + 1);
+    const auto after = find_crossing(b, load, Direction::rising, 0, b.load.size());
     return before && after ? std::optional(after->path - before->path) : std::nullopt;
   });
 }

@@ -10,10 +10,26 @@ namespace asperity {
 using namespace feature_limits;
 using namespace feature_parts;
 
+namespace {
+
+/// A first drop is deeper than so many standard deviations of a row's noise.
+constexpr double kDropDeviations = 8.0;
+
+/// Mean of the values within some rows of one, from row `begin` on.
+double around(const std::vector<double>& values, std::size_t row, std::size_t rows, std::size_t begin) {
+  double sum = 0.0;
+  std::size_t first = row > begin + rows ? row - rows : begin + 1, last = std::min(values.size() - 1, row + rows);
+  if (rows == 0) first = last = row;
+  for (std::size_t i = first; i <= last; ++i) sum += values[i];
+  return sum / static_cast<double>(last - first + 1);
+}
+
+}  // namespace
+
 FeatureValue peak_load(const CurveShape& shape) {
   const std::string why = no_peak(shape);
   if (!why.empty()) return {std::nullopt, why};
-  return {trailing_values(shape.first.load, shape.smoothing_rows)[shape.peak_row], ""};
+  return {shape.peak + base_load(shape.reading), ""};
 }
 
 FeatureValue peak_path(const CurveShape& shape) {
@@ -41,7 +57,8 @@ FeatureValue first_drop_stress(const CurveShape& shape) {
   if (!shape.reading.diameter_mm) return absent("the disc's diameter is not known");
   const std::size_t reach = rows_in_reach(shape.first.path, shape.reading.path_limit);
   const std::span<const double> loads(shape.branch.smooth_load.data(), reach);
-  const auto load = first_drop(loads, shape.first.events, 0.5 * shape.peak);
+  const FirstDropRule rule{0.5 * shape.peak, kDropDeviations * shape.reading.load_noise * shape.peak};
+  const auto load = first_drop(loads, shape.first.events, rule);
   if (!load) return absent("the load never falls by a tenth");
   return {splitting_stress(*load, *shape.reading.diameter_mm), ""};
 }
@@ -93,7 +110,7 @@ FeatureValue largest_drop(const CurveShape& shape) {
   const std::vector<double>& load = shape.branch.smooth_load;
   double largest = 0.0;
   for (const Drop& drop : find_drops(load, kDropShare * shape.peak)) {
-    largest = std::max(largest, load[drop.high] - load[drop.low]);
+    largest = std::max(largest, load[drop.high] - around(load, drop.low, shape.smoothing_rows, drop.high));
   }
   if (largest == 0.0) return absent("the load never falls by a tenth of the peak");
   return {largest, ""};

@@ -9,6 +9,21 @@
 #include "core/measurement/line_fit.hpp"
 
 namespace asperity {
+namespace {
+
+/// Least-squares slope of y over x, freed of the flattening by noise of x; Eq. (F27).
+double ratio_without_noise(std::span<const double> x, std::span<const double> y, double noise) {
+  const double slope = fit_line(x, y).slope;
+  if (noise == 0.0) return slope;
+  const auto n = static_cast<double>(x.size());
+  double mean = 0.0, square = 0.0;
+  for (const double v : x) mean += v / n;
+  for (const double v : x) square += (v - mean) * (v - mean);
+  const double own = square - (n - 1.0) * noise * noise;
+  return own > 0.0 ? slope * square / own : slope;
+}
+
+}  // namespace
 Peak find_peak(std::span<const Sample> samples, double strain_limit) {
   if (samples.empty()) throw Error(ErrorKind::tolerance, "no sample was recorded, so there is no peak");
   Peak peak;
@@ -30,7 +45,7 @@ std::optional<double> first_drop(std::span<const Sample> samples, double strain_
     stress.push_back(s.stress_mpa);
     cracks.push_back(s.cracks_tension + s.cracks_shear);
   }
-  return first_drop(stress, cracks, 0.0);
+  return first_drop(stress, cracks, FirstDropRule{});
 }
 
 std::optional<ElasticResult> elastic_slopes(const ElasticColumns& columns, std::size_t end, const StressRange& window,
@@ -39,7 +54,7 @@ std::optional<ElasticResult> elastic_slopes(const ElasticColumns& columns, std::
   if (rows.size() < 3) return std::nullopt;
   const std::vector<double> axial = gather(columns.axial_strain, rows);
   const double modulus = 1.0 / fit_line(gather(columns.stress_mpa, rows), axial).slope;
-  const double ratio = fit_line(axial, gather(columns.lateral_strain, rows)).slope;
+  const double ratio = ratio_without_noise(axial, gather(columns.lateral_strain, rows), columns.axial_noise);
   if (plane != PlaneCondition::strain) return ElasticResult{modulus / units::kMpaPerGpa, ratio};
   const double nu = ratio / (1.0 + ratio);
   return ElasticResult{modulus * (1.0 - nu * nu) / units::kMpaPerGpa, nu};

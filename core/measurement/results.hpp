@@ -31,6 +31,7 @@ struct ElasticResult {
 /// Columns of one length from which moduli are read: axial stress (MPa), gauge strains.
 struct ElasticColumns {
   std::span<const double> stress_mpa, axial_strain, lateral_strain;
+  double axial_noise = 0;  ///< Standard deviation of a row's axial strain.
 };
 
 /// Total axial stresses between which a modulus is read, MPa.
