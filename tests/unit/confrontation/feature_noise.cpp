@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
-#include <sstream>
 
 #include "core/base/random.hpp"
 #include "core/measurement/features.hpp"
@@ -135,13 +134,78 @@ std::vector<Case> cases() {
 
 }  // namespace
 
-TEST_CASE("study") {
+namespace {
+
+/// Nothing to be read of it on these curves: the simulated ones break in one burst at the peak (some events in all) and
+/// have no toe, and the joint's stress rises by less than the noise after its drop.
+bool judged(const Case& one, const Row& row) {
+  const std::string_view name = row.kind->name;
+  if (!row.exact.value || *row.exact.value == 0.0) return false;
+  const bool simulated = one.copies == kSimulatedCopies;
+  return !simulated || !(name.starts_with("event") || name.starts_with("toe") || name == "rise_after_drop_mpa");
+}
+
+double bias_percent(const Row& row) { return 100.0 * (row.mean - *row.exact.value) / std::abs(*row.exact.value); }
+double scatter_percent(const Row& row) { return 100.0 * row.sd / std::abs(*row.exact.value); }
+
+std::string cell(const Case& one, const Row& row) {
+  if (!judged(one, row)) return "|  |  ";
+  return fmt::format("| {:+.1f} | {:.1f} ", bias_percent(row), scatter_percent(row));
+}
+
+/// The rows of an experiment's features on an analytic and a simulated curve.
+std::vector<std::string> table_rows(const Case& analytic, const Case& simulated) {
+  std::vector<std::string> lines;
+  const std::vector<Row> one = study(analytic), other = study(simulated);
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    if (!judged(analytic, one[k]) && !judged(simulated, other[k])) continue;
+    lines.push_back(fmt::format("| `{}` {}{}|", one[k].kind->name, cell(analytic, one[k]), cell(simulated, other[k])));
+  }
+  return lines;
+}
+
+std::vector<std::string> readme_lines() {
+  std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/core/measurement/README.md");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("on analytic curves no feature is off by a hundredth under noise, uneven sampling and offsets") {
   for (const Case& one : cases()) {
-    fmt::print("{}\n", one.name);
+    if (one.copies != kAnalyticCopies) continue;
     for (const Row& row : study(one)) {
-      if (!row.exact.value) { fmt::print("  {:<36} absent; present in {}\n", row.kind->name, row.values.size()); continue; }
-      fmt::print("  {:<36} {:>12.5g} bias {:>8.3f} % sd {:>7.3f} %  n {}\n", row.kind->name, *row.exact.value,
-                 100 * (row.mean / *row.exact.value - 1), 100 * row.sd / std::abs(*row.exact.value), row.values.size());
+      if (!judged(one, row)) continue;
+      CAPTURE(one.name, row.kind->name, *row.exact.value, row.mean);
+      CHECK(row.values.size() > 0.95 * one.copies);
+      CHECK(std::abs(bias_percent(row)) < 1.0);
+    }
+  }
+}
+
+TEST_CASE("on rough simulated curves a feature is off by a hundredth or less than its own scatter") {
+  for (const Case& one : cases()) {
+    if (one.copies != kSimulatedCopies) continue;
+    for (const Row& row : study(one)) {
+      if (!judged(one, row)) continue;
+      CAPTURE(one.name, row.kind->name, *row.exact.value, row.mean);
+      CHECK(row.values.size() > 0.95 * one.copies);
+      CHECK(std::abs(bias_percent(row)) < std::max(1.0, 1.5 * scatter_percent(row)));
+    }
+  }
+}
+
+TEST_CASE("the README's table of bias and scatter is what this test finds") {
+  const std::vector<Case> all = cases();
+  const std::vector<std::string> readme = readme_lines();
+  for (const auto& [analytic, simulated] : {std::pair{0, 4}, {1, 5}, {2, 6}}) {
+    for (const std::string& line : table_rows(all[analytic], all[simulated])) {
+      CAPTURE(all[analytic].name, line);
+      const bool stands = std::find(readme.begin(), readme.end(), line) != readme.end();
+      CHECK(stands);
+      if (!stands) fmt::print("{}\n", line);  // for the table, where it is to be made anew
     }
   }
 }
