@@ -1,9 +1,6 @@
 #include "core/confrontation/read_measured.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <set>
 
 #include "core/config/enum_words.hpp"
 #include "core/config/json_text.hpp"
@@ -83,7 +80,10 @@ void read_curves(const json& j, const fs::path& folder, MeasuredTest& test, std:
   try {
     append(faults, take_in_curves(read_csv(file), file, test));
   } catch (const Error& error) {
-    append(faults, error.faults());
+    for (Fault fault : error.faults()) {
+      if (fault.allowed.empty() && fault.hint.empty()) fault.hint = "the path of a curve is relative to the measured file";
+      faults.push_back(std::move(fault));
+    }
     return;
   }
   append(faults, curve_faults(test));
@@ -106,7 +106,7 @@ MeasuredData fill(const json& document, const fs::path& origin, std::vector<Faul
     append(faults, key_faults(j, pointer, test.experiment));
     read_curves(j, origin.parent_path(), test, faults);
     append(faults, take_in_results(j, pointer, test));
-    append(faults, test_faults(test, pointer, j.value("curve", "")));
+    append(faults, test_faults(test, pointer));
     data.tests.push_back(std::move(test));
   }
   append(faults, id_faults(data));

@@ -136,6 +136,9 @@ std::vector<Fault> key_faults(const json& test, const std::string& pointer, Expe
     faults.push_back({pointer + "/diameter_mm", "is missing beside a disc's curve", "", "above 0 mm",
                       "the strength 2 P/(pi D t) needs it"});
   }
+  if (!test.contains("curve") && test.value("results", json::object()).empty()) {
+    faults.push_back({pointer, "has neither a curve nor results", "", "\"curve\", \"results\" or both", ""});
+  }
   return faults;
 }
 
@@ -168,11 +171,8 @@ std::vector<Fault> take_in_results(const json& given, const std::string& pointer
   return faults;
 }
 
-std::vector<Fault> test_faults(const MeasuredTest& test, const std::string& pointer, const std::string& curve) {
+std::vector<Fault> test_faults(const MeasuredTest& test, const std::string& pointer) {
   std::vector<Fault> faults = total_faults(test, pointer);
-  if (curve.empty() && test.results.empty()) {
-    faults.push_back({pointer, "has neither a curve nor results", "", "\"curve\", \"results\" or both", ""});
-  }
   const std::size_t specimens = specimens_of(test).size();
   if (test.scatter == ScatterSource::specimens && specimens < 2) {
     faults.push_back({pointer + "/scatter", "asks for the scatter of specimens, and there is one", std::to_string(specimens),

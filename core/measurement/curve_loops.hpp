@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// A way back of a curve: rows of its beginning, of its lowest path, and of the first row that is as far again.
+/// A way back of a curve: rows of its beginning, of its lowest path, and of the first row of first loading after it.
 struct CurveLoop {
   std::size_t top = 0, bottom = 0;
   std::size_t back = 0;  ///< One past the last row where the curve never comes back.
