@@ -78,19 +78,25 @@ void print_test(const Printed& test) {
     if (f.count > 0) print_value(f);
   }
   for (const TestFeature& f : test.features) {
-    if (f.count == 0 && test.has_curves) std::cout << fmt::format("  {:<34}     not there: {}\n", f.kind->name, f.specimens.front().absent);
+    if (f.count == 0 && test.has_curves)
+      std::cout << fmt::format("  {:<34}     not there: {}\n", f.kind->name, f.specimens.front().absent);
   }
 }
 
 std::vector<Printed> tests_of(const std::filesystem::path& source) {
   if (std::filesystem::is_directory(source)) {
     const RunCurve run = read_run_curve(source);
-    return {{true, run.config.name, run.config.experiment.type, {"simulated"},
-             features_of(run.curve, reading_of_run(run.config)), std::nullopt}};
+    return {{true,
+             run.config.name,
+             run.config.experiment.type,
+             {"simulated"},
+             features_of(run.curve, reading_of_run(run.config)),
+             std::nullopt}};
   }
   std::vector<Printed> tests;
   for (const MeasuredTest& test : read_measured_data(source).tests) {
-    tests.push_back({!test.curves.empty(), test.id, test.experiment, specimens_of(test), features_of(test), test.instrument});
+    tests.push_back(
+        {!test.curves.empty(), test.id, test.experiment, specimens_of(test), features_of(test), test.instrument});
   }
   return tests;
 }

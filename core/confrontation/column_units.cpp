@@ -6,10 +6,10 @@ namespace {
 constexpr double kMpaPerPsi = 0.00689475729;  // pound-force per square inch, NIST SP 811
 constexpr double kMmPerInch = 25.4;
 
-constexpr UnitSuffix kStrain[] = {{"", 1.0},           {"_percent", 1e-2},      {"_permille", 1e-3},
+constexpr UnitSuffix kStrain[] = {{"", 1.0},           {"_percent", 1e-2},     {"_permille", 1e-3},
                                   {"_mm_per_m", 1e-3}, {"_microstrain", 1e-6}, {"_um_per_m", 1e-6}};
-constexpr UnitSuffix kStress[] = {{"_mpa", 1.0},       {"_kpa", 1e-3},      {"_pa", 1e-6},
-                                  {"_gpa", 1e3},       {"_bar", 0.1},       {"_n_per_mm2", 1.0},
+constexpr UnitSuffix kStress[] = {{"_mpa", 1.0},        {"_kpa", 1e-3},       {"_pa", 1e-6},
+                                  {"_gpa", 1e3},        {"_bar", 0.1},        {"_n_per_mm2", 1.0},
                                   {"_kn_per_m2", 1e-3}, {"_psi", kMpaPerPsi}, {"_ksi", 1e3 * kMpaPerPsi}};
 constexpr UnitSuffix kModulus[] = {{"_gpa", 1.0}, {"_mpa", 1e-3}, {"_kpa", 1e-6}, {"_ksi", kMpaPerPsi}};
 constexpr UnitSuffix kLength[] = {{"_mm", 1.0}, {"_um", 1e-3}, {"_cm", 10.0}, {"_m", 1e3}, {"_in", kMmPerInch}};

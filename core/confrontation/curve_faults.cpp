@@ -1,6 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "core/confrontation/curve_columns.hpp"
 #include "core/confrontation/measured_curve.hpp"
@@ -76,7 +77,8 @@ bool check_total(const Look& look) {
   const double start = look.curve.curve.load.front();
   if (start >= kLeastStart * base) return true;
   look.fault(0, "the first axial stress lies below the confining pressure", start,
-             fmt::format("total stress: {:g} MPa at strain zero", base), "add the confining pressure to a stress difference");
+             fmt::format("total stress: {:g} MPa at strain zero", base),
+             "add the confining pressure to a stress difference");
   return false;
 }
 

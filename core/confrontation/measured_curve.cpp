@@ -71,8 +71,9 @@ const ColumnKind* meant_by(const std::string& name, ExperimentType experiment) {
 Fault name_fault(const fs::path& file, const std::string& name, const MeasuredTest& test) {
   if (const ColumnKind* kind = meant_by(name, test.experiment)) {
     const bool force = kind->base == kForceBase && unit_factor(name, kForceBase, Quantity::force);
-    if (force) return {file.string(), "a force needs the disc's thickness", name, names_with_units(kind->base, kind->quantity),
-                       "give thickness_mm of the test"};
+    if (force)
+      return {file.string(), "a force needs the disc's thickness", name, names_with_units(kind->base, kind->quantity),
+              "give thickness_mm of the test"};
     return {file.string(), "the unit of a column is not known", name, names_with_units(kind->base, kind->quantity),
             "convert it to one of these"};
   }
@@ -92,7 +93,8 @@ std::vector<Taken> take_columns(const CsvData& table, const fs::path& file, cons
     }
     const auto same = std::find_if(taken.begin(), taken.end(), [&](const Taken& t) { return t.kind == column->kind; });
     if (same != taken.end()) {
-      faults.push_back({file.string(), "a column is given twice, in two units", same->name + ", " + name, "one of them", ""});
+      faults.push_back(
+          {file.string(), "a column is given twice, in two units", same->name + ", " + name, "one of them", ""});
     } else {
       taken.push_back(*column);
     }

@@ -81,7 +81,8 @@ void read_curves(const json& j, const fs::path& folder, MeasuredTest& test, std:
     append(faults, take_in_curves(read_csv(file), file, test));
   } catch (const Error& error) {
     for (Fault fault : error.faults()) {
-      if (fault.allowed.empty() && fault.hint.empty()) fault.hint = "the path of a curve is relative to the measured file";
+      if (fault.allowed.empty() && fault.hint.empty())
+        fault.hint = "the path of a curve is relative to the measured file";
       faults.push_back(std::move(fault));
     }
     return;
@@ -95,7 +96,7 @@ std::string name_of(const json& document, const fs::path& origin) {
 
 /// Fills what the schema has accepted. Faults of a test leave the others to be checked.
 MeasuredData fill(const json& document, const fs::path& origin, std::vector<Fault>& faults) {
-  MeasuredData data{name_of(document, origin), document.value("material", ""), document.value("source", ""),
+  MeasuredData data{name_of(document, origin),     document.value("material", ""),    document.value("source", ""),
                     document.value("licence", ""), document.value("description", ""), {}};
   Instrument instrument;
   read_instrument(document, instrument);
@@ -120,7 +121,8 @@ MeasuredData parse_measured_data(const std::string& text, const fs::path& origin
   ParsedText parsed = parse_json(text, origin.string());
   std::vector<Fault> faults = std::move(parsed.faults);
   if (parsed.well_formed && !parsed.document.is_object()) {
-    faults.push_back({origin.string(), "must be an object", json_text(parsed.document), "{ \"tests\": [...], ... }", ""});
+    faults.push_back(
+        {origin.string(), "must be an object", json_text(parsed.document), "{ \"tests\": [...], ... }", ""});
   } else if (parsed.well_formed) {
     append(faults, schema_faults(parsed.document, schema));
   }

@@ -47,8 +47,9 @@ CurveReading reading_of_run(const RunConfig& config) {
 RunCurve read_run_curve(const fs::path& folder) {
   const fs::path config = folder / "config.effective.json", curves = folder / "curves.csv";
   if (!fs::exists(config) || !fs::exists(curves)) {
-    throw Error(ErrorKind::config, {{folder.string(), "is no run folder: config.effective.json or curves.csv is missing", "",
-                                     "a folder that `asperity run` has written", ""}});
+    throw Error(ErrorKind::config,
+                {{folder.string(), "is no run folder: config.effective.json or curves.csv is missing", "",
+                  "a folder that `asperity run` has written", ""}});
   }
   RunCurve run{read_run_config(config), {}};
   run.curve = curve_of_run(read_csv(curves), run.config);

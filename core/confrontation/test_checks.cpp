@@ -73,7 +73,8 @@ struct KnownResult {
 std::optional<KnownResult> known_result(const std::string& key, ExperimentType experiment) {
   for (const FeatureKind& kind : feature_kinds(experiment)) {
     const Named named = split_name(kind);
-    if (const auto factor = unit_factor(key, named.base, named.quantity)) return KnownResult{std::string(kind.name), *factor};
+    if (const auto factor = unit_factor(key, named.base, named.quantity))
+      return KnownResult{std::string(kind.name), *factor};
   }
   return std::nullopt;
 }
@@ -90,7 +91,8 @@ Fault unknown_result(const std::string& key, const std::string& pointer, Experim
   }
   const std::string near = closest(key, names);
   return {pointer, "is no result of this experiment", key, "names of its features",
-          near.empty() ? "`asperity features` prints them, docs/measured_data.md lists them" : "did you mean " + near + "?"};
+          near.empty() ? "`asperity features` prints them, docs/measured_data.md lists them"
+                       : "did you mean " + near + "?"};
 }
 
 /// One number, or a list of numbers and nulls; empty where it is neither.
@@ -112,7 +114,8 @@ std::vector<Fault> total_faults(const MeasuredTest& test, const std::string& poi
   for (const double peak : peaks->second) {
     if (std::isnan(peak) || peak > *test.confining_pressure_mpa) continue;
     faults.push_back({pointer + "/results/peak_axial_stress_mpa", "a peak is not above the confining pressure",
-                      number_text(peak), "total axial stress, above " + number_text(*test.confining_pressure_mpa) + " MPa",
+                      number_text(peak),
+                      "total axial stress, above " + number_text(*test.confining_pressure_mpa) + " MPa",
                       "add the confining pressure to a stress difference; extension tests are not held"});
   }
   return faults;
@@ -126,10 +129,12 @@ std::vector<Fault> key_faults(const json& test, const std::string& pointer, Expe
   for (const KeyUse& use : kKeys) {
     const bool given = test.contains(use.key), applies = use.applies(experiment);
     if (given && !applies) {
-      faults.push_back({pointer + "/" + use.key, "has no meaning " + type, json_text(test.at(use.key)), use.where, "remove it"});
+      faults.push_back(
+          {pointer + "/" + use.key, "has no meaning " + type, json_text(test.at(use.key)), use.where, "remove it"});
     }
     if (!given && applies && use.required) {
-      faults.push_back({pointer + "/" + use.key, "is missing " + type, "", "above 0 MPa", "the test is loaded under it"});
+      faults.push_back(
+          {pointer + "/" + use.key, "is missing " + type, "", "above 0 MPa", "the test is loaded under it"});
     }
   }
   if (disc(experiment) && test.contains("curve") && !test.contains("diameter_mm")) {
@@ -159,8 +164,9 @@ std::vector<Fault> take_in_results(const json& given, const std::string& pointer
       continue;
     }
     if (count != 0 && values.size() != count) {
-      faults.push_back({place, "has another number of specimens than the results before it", std::to_string(values.size()),
-                        std::to_string(count), "write null where a specimen has no value"});
+      faults.push_back({place, "has another number of specimens than the results before it",
+                        std::to_string(values.size()), std::to_string(count),
+                        "write null where a specimen has no value"});
     }
     count = std::max(count, values.size());
     for (double& v : values) v *= known->factor;
@@ -175,8 +181,8 @@ std::vector<Fault> test_faults(const MeasuredTest& test, const std::string& poin
   std::vector<Fault> faults = total_faults(test, pointer);
   const std::size_t specimens = specimens_of(test).size();
   if (test.scatter == ScatterSource::specimens && specimens < 2) {
-    faults.push_back({pointer + "/scatter", "asks for the scatter of specimens, and there is one", std::to_string(specimens),
-                      "two specimens or more", "give the others, or say \"pooled\""});
+    faults.push_back({pointer + "/scatter", "asks for the scatter of specimens, and there is one",
+                      std::to_string(specimens), "two specimens or more", "give the others, or say \"pooled\""});
   }
   return faults;
 }

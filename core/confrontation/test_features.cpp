@@ -72,7 +72,8 @@ void add_curve(const std::vector<FeatureValue>& values, const std::vector<double
 /// Fills what the curves leave open.
 void add_results(const MeasuredTest& test, std::size_t specimens, std::vector<TestFeature>& features) {
   for (TestFeature& feature : features) {
-    const char* why = test.curves.empty() ? "not among the results, and there is no curve" : "no curve of this specimen";
+    const char* why =
+        test.curves.empty() ? "not among the results, and there is no curve" : "no curve of this specimen";
     while (feature.specimens.size() < specimens) feature.specimens.push_back({std::nullopt, 0.0, false, why});
     const auto given = test.results.find(std::string(feature.kind->name));
     if (given == test.results.end()) continue;

@@ -130,7 +130,9 @@ std::optional<Crossing> find_crossing(const Branch& branch, double level, Direct
                                       std::size_t end) {
   const std::vector<double>& load = branch.smooth_load;
   const std::vector<double>& path = branch.smooth_path;
-  const auto beyond = [&](std::size_t i) { return direction == Direction::rising ? load[i] >= level : load[i] <= level; };
+  const auto beyond = [&](std::size_t i) {
+    return direction == Direction::rising ? load[i] >= level : load[i] <= level;
+  };
   const auto row = first_row(beyond, begin, std::min(end, load.size()), 2 * branch.smoothing_rows);
   if (!row) return std::nullopt;
   if (*row == begin) return Crossing{path[*row], *row, 1.0};

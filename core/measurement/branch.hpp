@@ -18,8 +18,8 @@ struct Branch {
 /// Smooths over `rows` rows, Eq. (F2); 0: the rows as they are.
 Branch make_branch(std::vector<double> path, std::vector<double> load, std::size_t rows);
 
-/// Values of the line through the last `rows` + 1 rows up to each row, at that row; Eq. (F4). The first rows, which have
-/// not as many before them, keep their values. 0: the values as they are.
+/// Values of the line through the last `rows` + 1 rows up to each row, at that row; Eq. (F4). The first rows, which
+/// have not as many before them, keep their values. 0: the values as they are.
 std::vector<double> trailing_values(std::span<const double> values, std::size_t rows);
 
 /// Where the smoothed load reaches a level.

@@ -11,9 +11,9 @@ namespace asperity {
 /// were not recorded are empty. Stresses compression positive; a triaxial test's are total, its strains zero after the
 /// hydrostatic stage.
 struct Curve {
-  std::vector<double> path;  ///< Axial strain (compression), platen or shear displacement, mm (disc, joint).
-  std::vector<double> load;  ///< Axial stress, MPa (compression), load, N/mm (disc), shear stress, MPa (joint).
-  std::vector<double> gauge_strain;       ///< Axial strain between two points of the specimen, shortening positive.
+  std::vector<double> path;          ///< Axial strain (compression), platen or shear displacement, mm (disc, joint).
+  std::vector<double> load;          ///< Axial stress, MPa (compression), load, N/mm (disc), shear stress, MPa (joint).
+  std::vector<double> gauge_strain;  ///< Axial strain between two points of the specimen, shortening positive.
   std::vector<double> lateral_strain;     ///< Widening positive.
   std::vector<double> dilation_mm;        ///< Joint: rise of the upper half.
   std::vector<double> dilation_front_mm;  ///< Of its end towards which the lower half moves.

@@ -17,8 +17,8 @@ struct FeatureValue {
 namespace feature_limits {
 inline constexpr double kInitialLow = 0.05, kInitialHigh = 0.2;  ///< Initial stiffness.
 inline constexpr double kLateLow = 0.55, kLateHigh = 0.85;       ///< Late stiffness.
-inline constexpr double kToeLoad = 0.02;       ///< The toe's travel is read here.
-inline constexpr double kLeastToe = 0.01;      ///< Over the path to the peak: less is no toe.
+inline constexpr double kToeLoad = 0.02;                         ///< The toe's travel is read here.
+inline constexpr double kLeastToe = 0.01;                        ///< Over the path to the peak: less is no toe.
 inline constexpr double kStiffnessLost = 0.1;  ///< Share of the secant stiffness whose loss ends the linear part.
 inline constexpr double kFallBegins = 0.95;
 inline constexpr double kDropSpan = 0.2;  ///< Over the path from toe to peak.
@@ -31,11 +31,11 @@ inline constexpr double kEventOnset = 0.1;  ///< Share of the events at the peak
 }  // namespace feature_limits
 
 // Peak: Eq. (F4).
-FeatureValue peak_load(const CurveShape& shape);             ///< Total.
-FeatureValue peak_path(const CurveShape& shape);             ///< As recorded.
-FeatureValue peak_path_from_toe(const CurveShape& shape);    ///< Eq. (F6).
-FeatureValue splitting_strength(const CurveShape& shape);    ///< Eq. (M7).
-FeatureValue first_drop_stress(const CurveShape& shape);     ///< Eq. (M28).
+FeatureValue peak_load(const CurveShape& shape);           ///< Total.
+FeatureValue peak_path(const CurveShape& shape);           ///< As recorded.
+FeatureValue peak_path_from_toe(const CurveShape& shape);  ///< Eq. (F6).
+FeatureValue splitting_strength(const CurveShape& shape);  ///< Eq. (M7).
+FeatureValue first_drop_stress(const CurveShape& shape);   ///< Eq. (M28).
 
 // Loading: Eqs. (F5)-(F11).
 FeatureValue window_stiffness(const CurveShape& shape);

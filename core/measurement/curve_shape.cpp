@@ -43,7 +43,8 @@ bool peak_is_passed(const CurveShape& shape, std::size_t reach) {
   const std::vector<double> load = trailing_values(shape.first.load, shape.smoothing_rows);
   const double top = load[shape.peak_row];
   const double least = top - kFallDeviations * shape.reading.load_noise * std::abs(top);
-  const bool falls = std::any_of(load.begin() + shape.peak_row, load.begin() + reach, [&](double q) { return q < least; });
+  const bool falls =
+      std::any_of(load.begin() + shape.peak_row, load.begin() + reach, [&](double q) { return q < least; });
   return falls || shape.first.path[reach - 1] >= (1.0 + kPlateau) * shape.peak_path;
 }
 

@@ -11,8 +11,8 @@ namespace asperity {
 /// Where a curve has its landmarks: what all features start from.
 struct CurveShape {
   CurveReading reading;
-  Curve first;               ///< Rows of first loading; loads as recorded.
-  Branch branch;             ///< The same, load above the base.
+  Curve first;    ///< Rows of first loading; loads as recorded.
+  Branch branch;  ///< The same, load above the base.
   std::vector<CurveLoop> loops;
   std::vector<Branch> unloading, reloading;  ///< Of each loop that comes back.
   std::size_t smoothing_rows = 0;            ///< Eq. (F2).

@@ -22,7 +22,8 @@ struct FirstDropRule {
 
 /// The largest load so far where the load first lies a tenth below it, Eq. (M28), and something is broken. `events` may
 /// be empty: not recorded.
-std::optional<double> first_drop(std::span<const double> load, std::span<const double> events, const FirstDropRule& rule);
+std::optional<double> first_drop(std::span<const double> load, std::span<const double> events,
+                                 const FirstDropRule& rule);
 
 /// Rows whose path lies in its last share; Eq. (F17).
 std::vector<std::size_t> late_rows(std::span<const double> path, double share);

@@ -63,7 +63,8 @@ FeatureValue dilation_rate_before_peak(const CurveShape& shape) {
 FeatureValue dilation_rate_after_peak(const CurveShape& shape) {
   const std::string why = no_dilation(shape);
   if (!why.empty()) return {std::nullopt, why};
-  if (shape.first.path.back() < 2.0 * shape.peak_path) return absent("the curve ends before twice the peak's displacement");
+  if (shape.first.path.back() < 2.0 * shape.peak_path)
+    return absent("the curve ends before twice the peak's displacement");
   return rate(shape, shape.first.dilation_mm, shape.peak_path, 2.0 * shape.peak_path);
 }
 

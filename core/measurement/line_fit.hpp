@@ -20,8 +20,8 @@ std::vector<std::size_t> window_rows(std::span<const double> load, std::size_t e
 /// The values at some rows.
 std::vector<double> gather(std::span<const double> values, std::span<const std::size_t> rows);
 
-/// Slope of y over x with the order of the rows as instrument: cov(row, y) / cov(row, x). Noise of x does not flatten it,
-/// as it flattens a least-squares slope; Eq. (F3). Zero for fewer than three rows or an x that does not change.
+/// Slope of y over x with the order of the rows as instrument: cov(row, y) / cov(row, x). Noise of x does not flatten
+/// it, as it flattens a least-squares slope; Eq. (F3). Zero for fewer than three rows or an x that does not change.
 double slope_in_order(std::span<const double> x, std::span<const double> y);
 
 }  // namespace asperity

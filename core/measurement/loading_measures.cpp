@@ -36,8 +36,7 @@ FeatureValue window_stiffness(const CurveShape& shape) {
 FeatureValue initial_stiffness(const CurveShape& shape) {
   const std::string why = no_peak(shape);
   if (!why.empty()) return {std::nullopt, why};
-  const auto line =
-      compliance_line(shape.branch, shape.peak_row, kInitialLow * shape.peak, kInitialHigh * shape.peak);
+  const auto line = compliance_line(shape.branch, shape.peak_row, kInitialLow * shape.peak, kInitialHigh * shape.peak);
   if (!line) return absent("fewer than three rows lie between 0.05 and 0.2 of the peak, or they do not rise");
   return {1.0 / line->slope, ""};
 }
@@ -67,7 +66,8 @@ FeatureValue toe_travel(const CurveShape& shape) {
 FeatureValue toe_extent(const CurveShape& shape) {
   const FeatureValue travel = toe_travel(shape);
   if (!travel.value) return travel;
-  if (*travel.value < kLeastToe * loading_path(shape)) return absent("no toe: it travels less than 0.01 of the way to the peak");
+  if (*travel.value < kLeastToe * loading_path(shape))
+    return absent("no toe: it travels less than 0.01 of the way to the peak");
   const double low = kToeLoad * shape.peak, high = shape.reading.modulus_window_high * shape.peak;
   const auto from = find_crossing(shape.branch, low, Direction::rising, 0, shape.peak_row + 1);
   const auto to = find_crossing(shape.branch, high, Direction::rising, 0, shape.peak_row + 1);
@@ -97,8 +97,7 @@ std::optional<ElasticResult> gauge_slopes(const CurveShape& shape) {
   const double noise = r.path_noise * *std::max_element(gauge.begin(), gauge.end());
   const double base = base_load(r);
   const StressRange window{base + r.modulus_window_low * shape.peak, base + r.modulus_window_high * shape.peak};
-  return elastic_slopes({shape.first.load, gauge, has_lateral(shape) ? shape.first.lateral_strain : nothing,
-                         noise},
+  return elastic_slopes({shape.first.load, gauge, has_lateral(shape) ? shape.first.lateral_strain : nothing, noise},
                         shape.peak_row, window, r.plane);
 }
 

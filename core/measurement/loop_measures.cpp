@@ -69,22 +69,24 @@ FeatureValue reloading_stiffness(const CurveShape& shape) {
 FeatureValue reload_toe_travel(const CurveShape& shape) {
   const std::string why = no_loop(shape);
   if (!why.empty()) return {std::nullopt, why};
-  return mean_over(shape.reloading, "no unloading below 0.05 of the peak", [&](const Branch& b) -> std::optional<double> {
-    const auto line = loop_line(b, kReloadLow, kReloadHigh);
-    return line ? travel_of(b, *line, kReloadToe * shape.peak) : std::nullopt;
-  });
+  return mean_over(shape.reloading, "no unloading below 0.05 of the peak",
+                   [&](const Branch& b) -> std::optional<double> {
+                     const auto line = loop_line(b, kReloadLow, kReloadHigh);
+                     return line ? travel_of(b, *line, kReloadToe * shape.peak) : std::nullopt;
+                   });
 }
 
 FeatureValue permanent_path(const CurveShape& shape) {
   const std::string why = no_loop(shape);
   if (!why.empty()) return {std::nullopt, why};
-  return mean_over(shape.reloading, "no unloading below 0.05 of the peak", [&](const Branch& b) -> std::optional<double> {
-    const double load = kReloadToe * shape.peak;
-    if (b.smooth_load.front() >= load) return std::nullopt;
-    const auto before = find_crossing(shape.branch, load, Direction::rising, 0, shape.peak_row + 1);
-    const auto after = find_crossing(b, load, Direction::rising, 0, b.load.size());
-    return before && after ? std::optional(after->path - before->path) : std::nullopt;
-  });
+  return mean_over(shape.reloading, "no unloading below 0.05 of the peak",
+                   [&](const Branch& b) -> std::optional<double> {
+                     const double load = kReloadToe * shape.peak;
+                     if (b.smooth_load.front() >= load) return std::nullopt;
+                     const auto before = find_crossing(shape.branch, load, Direction::rising, 0, shape.peak_row + 1);
+                     const auto after = find_crossing(b, load, Direction::rising, 0, b.load.size());
+                     return before && after ? std::optional(after->path - before->path) : std::nullopt;
+                   });
 }
 
 }  // namespace asperity

@@ -90,7 +90,8 @@ FeatureValue residual_load(const CurveShape& shape) {
   const std::vector<double>& path = shape.first.path;
   const std::vector<std::size_t> rows = late_rows(path, kLateShare);
   if (rows.size() < 3) return absent("fewer than three rows lie in the last quarter of the path");
-  if (path[rows.front()] <= shape.peak_path) return absent("the curve ends less than a third of the peak's path behind it");
+  if (path[rows.front()] <= shape.peak_path)
+    return absent("the curve ends less than a third of the peak's path behind it");
   const Line line = fit_line(gather(path, rows), gather(shape.first.load, rows));
   if (std::abs(line.slope) * kLateShare * path.back() > kSteady * shape.peak) {
     return absent("the load still changes by a fifth of the peak over the last quarter of the path");

@@ -63,7 +63,7 @@ std::optional<ElasticResult> elastic_slopes(const ElasticColumns& columns, std::
 std::optional<ElasticResult> fit_moduli(std::span<const Sample> samples, const Peak& peak, const RunConfig& config) {
   const double base = config.experiment.confining_pressure_mpa;
   const StressRange window{base + config.measurement.modulus_window_low * (peak.stress_mpa - base),
-                            base + config.measurement.modulus_window_high * (peak.stress_mpa - base)};
+                           base + config.measurement.modulus_window_high * (peak.stress_mpa - base)};
   std::vector<double> stress, axial, lateral;
   for (const Sample& s : samples.first(peak.index)) {
     stress.push_back(s.stress_mpa);

@@ -1,6 +1,7 @@
 """Measured data and runs through `features`; the features of a simulated run are the results of its summary.json."""
 import json
 import math
+import re
 
 import support
 from support import SCRATCH, SOURCE, TINY, asperity, settings
@@ -104,6 +105,26 @@ class Features(support.CommandLineTest):
 
     def test_overrides_do_not_apply(self):
         self.assertIn("measured data", self.fail_with(2, "validate", MEASURED / "plaster.json", "--set", "/name=x"))
+
+    def test_the_pages_example_is_one(self):
+        page = (SOURCE / "docs/measured_data.md").read_text()
+        blocks = dict(re.findall(r"(?ms)^```(json|csv)\n(.*?)^```", page))
+        write("T1.csv", blocks["csv"])
+        features = {t["id"]: t["features"] for t in self.features(write("sandstone.json", blocks["json"]))}
+        self.assertEqual(features["T1"]["peak_axial_stress_mpa"]["mean"], 10.3)
+        self.assertAlmostEqual(features["J1"]["peak_shear_stress_mpa"]["mean"], 1.79)
+
+    def test_the_page_names_every_feature_key_and_unit(self):
+        page = (SOURCE / "docs/measured_data.md").read_text()
+        schema = json.loads((SOURCE / "configs/schema/measured.schema.json").read_text())["properties"]
+        tests = schema["tests"]["items"]["properties"]
+        names = {*schema, *tests, *schema["instrument"]["properties"]} - {"$schema"}
+        for experiment in tests["experiment"]["enum"]:
+            keys = {"triaxial": {"confining_pressure_mpa": 1}, "direct_shear": {"normal_stress_mpa": 1}}.get(experiment, {})
+            test = {"id": "X", "experiment": experiment, "results": {"loop_count": 0}, **keys}
+            names |= self.features(write("names.json", json.dumps({"tests": [test]})))[0]["features"].keys()
+        for name in names:
+            self.assertIn(f"`{name}`", page)
 
     def test_schema(self):
         schema = json.loads(self.succeed("schema", "measured").stdout)

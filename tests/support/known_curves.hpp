@@ -14,8 +14,8 @@ namespace asperity::known {
 inline constexpr double kResidual = 0.4;
 
 /// Load over the peak where the path without toe is u times the peak's: straight at first, round at the peak (its
-/// curvature the same on both sides), falling to a residual. Before the peak the form of Carreira & Chu (1985), ACI J. 82;
-/// behind it the same, steeper, onto the residual.
+/// curvature the same on both sides), falling to a residual. Before the peak the form of Carreira & Chu (1985), ACI J.
+/// 82; behind it the same, steeper, onto the residual.
 inline double backbone(double u) {
   const double n = u <= 1.0 ? 4.0 : 6.0;
   const double rise = n * u / (n - 1.0 + std::pow(u, n));
@@ -37,7 +37,8 @@ struct Row {
   double u, load, path;
 };
 
-/// Rows of loading to u, a loop of unloading and reloading along one line with a toe of its own, and loading to the end.
+/// Rows of loading to u, a loop of unloading and reloading along one line with a toe of its own, and loading to the
+/// end.
 inline std::vector<Row> rows_of(const Analytic& a, int count, double end) {
   std::vector<Row> rows;
   const auto on = [&](double u) { return Row{u, backbone(u), u + toe(a.toe_travel, backbone(u))}; };
@@ -50,7 +51,8 @@ inline std::vector<Row> rows_of(const Analytic& a, int count, double end) {
   };
   for (int i = 1; i < loop; ++i) rows.push_back(inside(top.load + (a.loop_load - top.load) * i / loop));
   for (int i = loop; i > 0; --i) rows.push_back(inside(top.load + (a.loop_load - top.load) * i / loop));
-  for (int i = split + 1; i <= count; ++i) rows.push_back(on(a.loop_from + (end - a.loop_from) * (i - split) / (count - split)));
+  for (int i = split + 1; i <= count; ++i)
+    rows.push_back(on(a.loop_from + (end - a.loop_from) * (i - split) / (count - split)));
   return rows;
 }
 

@@ -11,9 +11,9 @@ using namespace asperity;
 
 namespace {
 
-constexpr double kNoise = 0.005;  // of each column's largest value, each row by itself
+constexpr double kNoise = 0.005;     // of each column's largest value, each row by itself
 constexpr double kFinePath = 0.001;  // the same of the path of simulated curves: the default of a laboratory
-constexpr double kOffset = 0.05;  // of the peak's path: by so much at most the path's zero is off
+constexpr double kOffset = 0.05;     // of the peak's path: by so much at most the path's zero is off
 constexpr int kAnalyticCopies = 1500;
 constexpr int kSimulatedCopies = 400;
 
@@ -85,7 +85,8 @@ std::vector<Row> study(const Case& one) {
   std::vector<Row> rows;
   const std::vector<FeatureValue> exact = read_features(one.curve, one.exact);
   const CurveShape shape = shape_of(one.curve, one.exact);
-  for (std::size_t k = 0; k < exact.size(); ++k) rows.push_back({&feature_kinds(one.exact.experiment)[k], exact[k], {}});
+  for (std::size_t k = 0; k < exact.size(); ++k)
+    rows.push_back({&feature_kinds(one.exact.experiment)[k], exact[k], {}});
   CurveReading noisy = one.exact;
   noisy.load_noise = kNoise;
   noisy.path_noise = one.path_noise;
@@ -94,12 +95,14 @@ std::vector<Row> study(const Case& one) {
     const Copy copy = noisy_copy(one, shape.peak_path, random);
     const std::vector<FeatureValue> values = read_features(copy.curve, noisy);
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      if (values[k].value) rows[k].values.push_back(*values[k].value - (moves_with_zero(rows[k].kind->name) ? copy.offset : 0.0));
+      if (values[k].value)
+        rows[k].values.push_back(*values[k].value - (moves_with_zero(rows[k].kind->name) ? copy.offset : 0.0));
     }
   }
   for (Row& row : rows) {
     for (double v : row.values) row.mean += v / static_cast<double>(row.values.size());
-    for (double v : row.values) row.sd += (v - row.mean) * (v - row.mean) / (static_cast<double>(row.values.size()) - 1.0);
+    for (double v : row.values)
+      row.sd += (v - row.mean) * (v - row.mean) / (static_cast<double>(row.values.size()) - 1.0);
     row.sd = std::sqrt(row.sd);
   }
   return rows;
@@ -126,10 +129,13 @@ std::vector<Case> cases() {
   return {{"analytic compression", known::compression(a), reading(triaxial), 8},
           {"analytic disc", known::disc({250.0, 1.0, 0.0}), reading(brazilian), 8},
           {"analytic joint", known::joint({2.0, 1.0, 0.0}), reading(direct_shear), 8},
-          {"simulated uniaxial", known::simulated("uniaxial", uniaxial), reading(uniaxial), 1.3, kFinePath, kSimulatedCopies},
-          {"simulated triaxial", known::simulated("triaxial", triaxial), reading(triaxial), 1.3, kFinePath, kSimulatedCopies},
+          {"simulated uniaxial", known::simulated("uniaxial", uniaxial), reading(uniaxial), 1.3, kFinePath,
+           kSimulatedCopies},
+          {"simulated triaxial", known::simulated("triaxial", triaxial), reading(triaxial), 1.3, kFinePath,
+           kSimulatedCopies},
           {"simulated disc", known::simulated("disc", brazilian), reading(brazilian), 1.3, kFinePath, kSimulatedCopies},
-          {"simulated joint", first_mm(known::simulated("joint", direct_shear), 3.0), reading(direct_shear), 1.3, kFinePath, kSimulatedCopies}};
+          {"simulated joint", first_mm(known::simulated("joint", direct_shear), 3.0), reading(direct_shear), 1.3,
+           kFinePath, kSimulatedCopies}};
 }
 
 }  // namespace
@@ -179,7 +185,7 @@ TEST_CASE("on analytic curves no feature is off by a hundredth under noise, unev
     for (const Row& row : study(one)) {
       if (!judged(one, row)) continue;
       CAPTURE(one.name, row.kind->name, *row.exact.value, row.mean);
-      CHECK(row.values.size() > 0.95 * one.copies);
+      CHECK(static_cast<double>(row.values.size()) > 0.95 * one.copies);
       CHECK(std::abs(bias_percent(row)) < 1.0);
     }
   }
@@ -191,7 +197,7 @@ TEST_CASE("on rough simulated curves a feature is off by a hundredth or less tha
     for (const Row& row : study(one)) {
       if (!judged(one, row)) continue;
       CAPTURE(one.name, row.kind->name, *row.exact.value, row.mean);
-      CHECK(row.values.size() > 0.95 * one.copies);
+      CHECK(static_cast<double>(row.values.size()) > 0.95 * one.copies);
       CHECK(std::abs(bias_percent(row)) < std::max(1.0, 1.5 * scatter_percent(row)));
     }
   }

@@ -2,49 +2,15 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <filesystem>
-#include <fstream>
 #include <functional>
-#include <nlohmann/json.hpp>
 
-#include "core/confrontation/test_features.hpp"
+#include "tests/support/measured_folder.hpp"
 
 using namespace asperity;
+using namespace asperity::measured;
 using nlohmann::json;
 
-namespace fs = std::filesystem;
-
 namespace {
-
-/// A folder with curve files for one test case.
-class Folder {
- public:
-  explicit Folder(const std::string& name) : root_(fs::path(ASPERITY_TEST_SCRATCH) / "measured" / name) {
-    fs::remove_all(root_);
-    fs::create_directories(root_);
-  }
-  void put(const std::string& name, const std::string& text) const { std::ofstream(root_ / name) << text; }
-  MeasuredData read(const json& document) const { return parse_measured_data(document.dump(), root_ / "data.json"); }
-  std::string file(const std::string& name) const { return (root_ / name).string(); }
-
- private:
-  fs::path root_;
-};
-
-/// Rows of a curve that rises to 10 at path 1 and falls to 4 at path 2, scaled.
-std::string triangle(const std::string& header, double path = 1.0, double load = 1.0, const std::string& before = "",
-                     const std::string& after = "") {
-  std::string text = header + "\n";
-  for (int i = 0; i <= 20; ++i) {
-    const double q = i <= 10 ? i : 10.0 - 0.6 * (i - 10);
-    text += before + std::to_string(0.1 * i * path) + "," + std::to_string(q * load) + after + "\n";
-  }
-  return text;
-}
-
-json uniaxial(const std::string& curve) {
-  return {{"tests", {{{"id", "U"}, {"experiment", "uniaxial"}, {"height_mm", 100}, {"curve", curve}}}}};
-}
 
 /// The faults of a document, each as "where: what (found ...)".
 std::vector<Fault> faults_of(const Folder& folder, const json& document) {
@@ -68,20 +34,13 @@ void check_one(const std::vector<Fault>& faults, const std::string& where, const
   CHECK(!(faults.front().hint + faults.front().allowed).empty());
 }
 
-double mean_of(const MeasuredTest& test, const std::string& name) {
-  for (const TestFeature& f : features_of(test)) {
-    if (f.kind->name == name && f.count > 0) return f.mean;
-  }
-  FAIL(name << " is not there");
-  return 0.0;
-}
-
 }  // namespace
 
 TEST_CASE("a file with curves, numbers and both is read as the format has it") {
   const Folder folder("format");
   folder.put("T1.csv", "# from the logger\nspecimen,axial_strain,axial_stress_mpa,lateral_strain,acoustic_events\n" +
-                           triangle("", 0.01, 1.0, "A,", ",0.001,3").substr(1) + triangle("", 0.01, 1.2, "B,", ",0.001,4").substr(1));
+                           triangle("", 0.01, 1.0, "A,", ",0.001,3").substr(1) +
+                           triangle("", 0.01, 1.2, "B,", ",0.001,4").substr(1));
   const MeasuredData data = folder.read(json::parse(R"({
     "material": "plaster", "source": "here", "licence": "CC0", "instrument": {"load_noise_percent": 0.1},
     "tests": [
@@ -131,7 +90,9 @@ TEST_CASE("columns may carry the usual units") {
 TEST_CASE("a disc's load may be a force over its thickness, a displacement in micrometres") {
   const Folder folder("force");
   folder.put("c.csv", triangle("platen_displacement_um,load_kn,note_room", 1e3, 0.25, "", ",warm"));
-  json document = {{"tests", {{{"id", "B"}, {"experiment", "brazilian"}, {"diameter_mm", 50}, {"thickness_mm", 25}, {"curve", "c.csv"}}}}};
+  json document = {
+      {"tests",
+       {{{"id", "B"}, {"experiment", "brazilian"}, {"diameter_mm", 50}, {"thickness_mm", 25}, {"curve", "c.csv"}}}}};
   const MeasuredData data = folder.read(document);
   CHECK(mean_of(data.tests[0], "peak_load_n_per_mm") == Approx(100.0));
   CHECK(mean_of(data.tests[0], "peak_closure_mm") == Approx(1.0));
@@ -237,19 +198,32 @@ TEST_CASE("a bad key is one clear error at its pointer") {
       {[](json& t) { t["diameter_mm"] = 3; }, "/tests/0/diameter_mm", "has no meaning in a test of type \"uniaxial\""},
       {[](json& t) { t["experiment"] = "triaxial"; }, "/tests/0/confining_pressure_mpa", "is missing"},
       {[](json& t) { t["height_mm"] = -3; }, "/tests/0/height_mm", "is out of range"},
-      {[](json& t) { t["scatter"] = "specimens"; }, "/tests/0/scatter", "asks for the scatter of specimens, and there is one"},
+      {[](json& t) { t["scatter"] = "specimens"; }, "/tests/0/scatter",
+       "asks for the scatter of specimens, and there is one"},
       {[](json& t) { t["results"]["peak_axial_stres_mpa"] = 3; }, "/results/peak_axial_stres_mpa", "is no result"},
-      {[](json& t) { t["results"]["peak_axial_stress_tons"] = 3; }, "/results/peak_axial_stress_tons", "unit of a result"},
-      {[](json& t) { t["results"]["peak_axial_stress_mpa"] = "3"; }, "/results/peak_axial_stress_mpa", "no list of numbers"},
-      {[](json& t) { t["results"]["poissons_ratio"] = {0.2, 0.3}; }, "/results/poissons_ratio", "another number of specimens"},
-      {[](json& t) { t["results"]["peak_axial_stress_kpa"] = 3e3; }, "/results/peak_axial_stress_mpa", "given twice, in two units"},
+      {[](json& t) { t["results"]["peak_axial_stress_tons"] = 3; }, "/results/peak_axial_stress_tons",
+       "unit of a result"},
+      {[](json& t) { t["results"]["peak_axial_stress_mpa"] = "3"; }, "/results/peak_axial_stress_mpa",
+       "no list of numbers"},
+      {[](json& t) {
+         t["results"]["poissons_ratio"] = {0.2, 0.3};
+       },
+       "/results/poissons_ratio", "another number of specimens"},
+      {[](json& t) { t["results"]["peak_axial_stress_kpa"] = 3e3; }, "/results/peak_axial_stress_mpa",
+       "given twice, in two units"},
       {[](json& t) { t.erase("results"); }, "/tests/0", "neither a curve nor results"},
-      {[](json& t) { t = {{"id", "T"}, {"experiment", "triaxial"}, {"confining_pressure_mpa", 9}, {"results", {{"peak_axial_stress_mpa", 7}}}}; },
+      {[](json& t) {
+         t = {{"id", "T"},
+              {"experiment", "triaxial"},
+              {"confining_pressure_mpa", 9},
+              {"results", {{"peak_axial_stress_mpa", 7}}}};
+       },
        "/tests/0/results/peak_axial_stress_mpa", "not above the confining pressure"},
   };
   const Folder folder("keys");
   for (const Bad& bad : cases) {
-    json document = {{"tests", {{{"id", "U"}, {"experiment", "uniaxial"}, {"results", {{"peak_axial_stress_mpa", 7}}}}}}};
+    json document = {
+        {"tests", {{{"id", "U"}, {"experiment", "uniaxial"}, {"results", {{"peak_axial_stress_mpa", 7}}}}}}};
     bad.change(document["tests"][0]);
     CAPTURE(document.dump());
     check_one(faults_of(folder, document), bad.where, bad.what);
@@ -269,35 +243,4 @@ TEST_CASE("all faults are told at once") {
   for (const Fault& fault : faults_of(folder, document)) where.push_back(fault.where);
   CHECK(where == std::vector<std::string>{folder.file("c.csv"), "/tests/1/width_mm", "/tests/1/diameter_mm",
                                           folder.file("gone.csv"), "/tests/1/id"});
-}
-
-TEST_CASE("an instrument's errors go into a feature as its equation has them") {
-  const Folder folder("errors");
-  folder.put("c.csv", triangle("axial_strain,axial_stress_mpa", 0.01));
-  json document = uniaxial("c.csv");
-  document["tests"][0]["instrument"] = {{"load_noise_percent", 0}, {"load_scale_percent", 3}, {"load_zero_percent", 4},
-                                        {"displacement_scale_percent", 1}, {"displacement_zero_mm", 0.5}};
-  for (const TestFeature& f : features_of(folder.read(document).tests[0])) {
-    const double sd = f.specimens.front().instrument_sd;
-    if (f.kind->name == "peak_axial_stress_mpa") CHECK(sd == Approx(0.5));                       // of 10: 0.3 and 0.4
-    if (f.kind->name == "peak_axial_strain") CHECK(sd == Approx(std::hypot(1e-4, 0.5 / 100)));   // 0.5 mm of 100 mm
-    if (f.kind->name == "peak_strain_from_toe") CHECK(sd == Approx(std::hypot(1e-4, 4e-4)));     // the zeros of path: none
-  }
-}
-
-TEST_CASE("the shipped measured files hold every row of their sources") {
-  const fs::path configs = fs::path(ASPERITY_SOURCE_DIR) / "configs/measured";
-  const std::map<std::string, int> rows{{"zigong_sandstone", 41}, {"berea_sandstone", 45}, {"carrara_marble", 32}, {"dunnville_sandstone", 19}};
-  for (const auto& [name, count] : rows) {
-    const fs::path file = configs / (name + ".json");
-    const MeasuredData data = read_measured_data(file);
-    std::size_t held = 0;
-    for (const MeasuredTest& test : data.tests) held += specimens_of(test).size();
-    std::ifstream in(file);
-    const json document = json::parse(in);
-    CAPTURE(name);
-    CHECK(held + document.value("left_out", json::array()).size() == static_cast<std::size_t>(count));
-    CHECK(!data.licence.empty());
-    CHECK(!data.source.empty());
-  }
 }

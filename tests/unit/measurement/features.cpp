@@ -82,16 +82,21 @@ TEST_CASE("what a curve does not reach is absent, with the reason") {
   CHECK(why_absent(straight(0.9), kDisc, "stiffness_n_per_mm2") == "no peak was passed");
   CHECK(why_absent(straight(1.1), kDisc, "drop_share") == "the curve ends before the stated path behind the peak");
   CHECK(why_absent(straight(1.02), kDisc, "drop_share") == "the load does not fall to 0.95 of the peak");
-  CHECK(why_absent(straight(1.1), kDisc, "residual_load_n_per_mm") == "the curve ends less than a third of the peak's path behind it");
+  CHECK(why_absent(straight(1.1), kDisc, "residual_load_n_per_mm") ==
+        "the curve ends less than a third of the peak's path behind it");
   CHECK(why_absent(straight(0.03), kDisc, "peak_load_n_per_mm") == "the curve has fewer than ten rows");
   CHECK(why_absent({}, kDisc, "peak_load_n_per_mm") == "the curve has fewer than ten rows");
-  CHECK(why_absent(straight(3.0), kDisc, "toe_extent_share") == "no toe: it travels less than 0.01 of the way to the peak");
-  CHECK(why_absent(straight(3.0), kDisc, "nonlinearity_load_n_per_mm") == "the secant stiffness falls by less than a tenth before the peak");
+  CHECK(why_absent(straight(3.0), kDisc, "toe_extent_share") ==
+        "no toe: it travels less than 0.01 of the way to the peak");
+  CHECK(why_absent(straight(3.0), kDisc, "nonlinearity_load_n_per_mm") ==
+        "the secant stiffness falls by less than a tenth before the peak");
   CHECK(why_absent(straight(3.0), kDisc, "events_at_peak") == "acoustic_events was not recorded");
-  CHECK(why_absent(straight(3.0), kDisc, "unloading_stiffness_n_per_mm2") == "the curve has no unloading with a reload");
+  CHECK(why_absent(straight(3.0), kDisc, "unloading_stiffness_n_per_mm2") ==
+        "the curve has no unloading with a reload");
   CHECK(why_absent(straight(3.0), kJoint, "peak_dilation_mm") == "dilation_mm was not recorded");
   const CurveReading plain = reading(ExperimentType::uniaxial);
-  CHECK(why_absent(straight(3.0), plain, "youngs_modulus_gpa") == "no gauge on the specimen: the strain is the platens'");
+  CHECK(why_absent(straight(3.0), plain, "youngs_modulus_gpa") ==
+        "no gauge on the specimen: the strain is the platens'");
   CHECK(why_absent(straight(3.0), plain, "poissons_ratio") == "lateral_strain was not recorded");
 }
 
