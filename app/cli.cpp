@@ -55,7 +55,7 @@ void add_validate(CLI::App& cli, Action& action) {
   auto overrides = std::make_shared<std::vector<std::string>>();
   CLI::App* command =
       cli.add_subcommand("validate", "Makes every check of `run`, the mesh's included, and writes nothing");
-  command->add_option("config", *configs, "Configurations (JSON) of runs or, by their \"$schema\", of campaigns")
+  command->add_option("config", *configs, "Configurations (JSON) of runs or, by their \"$schema\", of campaigns, calibrations, measured data")
       ->required();
   add_overrides(*command, *overrides);
   command->footer("Example:\n  asperity validate configs/paper/*.json");
@@ -65,7 +65,7 @@ void add_validate(CLI::App& cli, Action& action) {
 void add_schema(CLI::App& cli, Action& action) {
   auto kind = std::make_shared<std::string>("run");
   CLI::App* command = cli.add_subcommand("schema", "Prints the JSON Schema of a kind of configuration");
-  command->add_option("kind", *kind, "run, campaign or calibration")->capture_default_str();
+  command->add_option("kind", *kind, "run, campaign, calibration or measured")->capture_default_str();
   command->footer("Example:\n  asperity schema run > run.schema.json");
   command->callback([=, &action] { action = [=] { return schema_command(*kind); }; });
 }
@@ -192,6 +192,18 @@ void add_calibrate(CLI::App& cli, Action& action) {
   command->callback([=, &action] { action = [=] { return calibrate_command(*options); }; });
 }
 
+void add_features(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<FeaturesOptions>();
+  CLI::App* command = cli.add_subcommand(
+      "features", "Prints what is read off curves: peak, moduli, toe, drop, residual, dilation, loops and more");
+  command->add_option("source", options->source, "Measured data (JSON) or a run folder")->required();
+  command->add_flag("--json", options->json, "Prints JSON");
+  command->footer(
+      "Examples:\n  asperity features configs/measured/zigong_sandstone.json\n"
+      "  asperity features outputs/quickstart --json");
+  command->callback([=, &action] { action = [=] { return features_command(*options); }; });
+}
+
 void add_info(CLI::App& cli, Action& action) {
   CLI::App* command = cli.add_subcommand("info", "Prints version, revision, libraries and machine");
   command->footer("Example:\n  asperity info");
@@ -223,7 +235,7 @@ int run_command_line(int argc, char** argv) {
       "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
   Action action;
   for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_report, add_audit,
-                         add_campaign, add_calibrate, add_acceleration, add_bench, add_info}) {
+                         add_campaign, add_calibrate, add_features, add_acceleration, add_bench, add_info}) {
     add(cli, action);
   }
   try {

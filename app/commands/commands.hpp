@@ -99,6 +99,13 @@ struct CalibrateCommandOptions {
 
 int calibrate_command(const CalibrateCommandOptions& options);
 
+struct FeaturesOptions {
+  std::filesystem::path source;  ///< A measured file or a run folder.
+  bool json = false;
+};
+
+int features_command(const FeaturesOptions& options);
+
 int info_command();
 
 }  // namespace asperity::app

@@ -12,6 +12,7 @@
 #include "core/campaign/campaign_config.hpp"
 #include "core/config/read_config.hpp"
 #include "core/config/schema.hpp"
+#include "core/confrontation/read_measured.hpp"
 #include "core/experiment/model.hpp"
 #include "core/output/manifest.hpp"
 #include "core/output/run_folder.hpp"
@@ -37,6 +38,14 @@ void validate_calibration(const std::filesystem::path& path, const std::vector<s
             << calibration.suite.tests.size() << " tests)\n";
 }
 
+void validate_measured(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  if (!overrides.empty()) throw Error(ErrorKind::usage, {{"--set", "does not apply to measured data", overrides.front(), "", ""}});
+  const MeasuredData data = read_measured_data(path);
+  std::size_t specimens = 0;
+  for (const MeasuredTest& test : data.tests) specimens += specimens_of(test).size();
+  std::cout << path.string() << ": valid (" << data.tests.size() << " measured tests, " << specimens << " specimens)\n";
+}
+
 void validate_run(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   const Model model = build_model(read_run_config(path, overrides), ParallelLoops());
   std::cout << path.string() << ": valid (" << model.mesh.triangles.size() << " triangles, time step "
@@ -54,6 +63,8 @@ int validate_command(const std::vector<std::filesystem::path>& configs, const st
         validate_campaign(path, overrides);
       } else if (kind == "calibration") {
         validate_calibration(path, overrides);
+      } else if (kind == "measured") {
+        validate_measured(path, overrides);
       } else {
         validate_run(path, overrides);
       }

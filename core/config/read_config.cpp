@@ -96,7 +96,8 @@ std::string config_kind(const std::filesystem::path& path) {
   const std::string ending = ".schema.json";
   const std::string name =
       named ? std::filesystem::path(document.at("$schema").get<std::string>()).filename().string() : "";
-  return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : "run";
+  if (name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
+  return document.is_object() && document.contains("tests") && !document.contains("experiment") ? "measured" : "run";
 }
 
 RunConfig parse_run_config(const std::string& text, const std::string& origin,

@@ -16,8 +16,8 @@ RunConfig read_run_config(const std::filesystem::path& path, const std::vector<s
 /// The text of a configuration of any kind. Throws Error(config) where it cannot be read.
 std::string read_config_text(const std::filesystem::path& path);
 
-/// The kind of a configuration by the file name of its "$schema", KIND.schema.json; "run" where it names none. Throws
-/// Error(config) where the file cannot be read.
+/// The kind of a configuration by the file name of its "$schema", KIND.schema.json. Where it names none:
+/// "measured" of a file with "tests" and no "experiment", else "run". Throws Error(config) where the file cannot be read.
 std::string config_kind(const std::filesystem::path& path);
 
 /// The same as read_run_config for a text; `origin` names it in syntax faults, and its stem is the run's name if the

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/measurement/drops.hpp"
+#include "core/measurement/joint_curve.hpp"
+
 namespace asperity {
 namespace {
 
@@ -12,63 +15,43 @@ using Json = nlohmann::ordered_json;
 constexpr double kResidualShare = 0.25;
 /// A fall of the shear stress by this share of the peak, from a maximum to the minimum that follows, is a drop.
 constexpr double kDrop = 0.1;
+/// Share of the peak's displacement from which its dilation rate counts.
+constexpr double kRateShare = 0.3;
 /// A tooth is sheared off once less than this share of it hangs together with the lower half.
 constexpr double kShearedOff = 0.5;
 
+std::vector<double> column(const std::vector<Sample>& samples, double (*value)(const Sample&)) {
+  std::vector<double> values(samples.size());
+  std::transform(samples.begin(), samples.end(), values.begin(), value);
+  return values;
+}
+std::vector<double> displacements(const std::vector<Sample>& samples) {
+  return column(samples, [](const Sample& s) { return s.closure_mm; });
+}
+std::vector<double> stresses(const std::vector<Sample>& samples) {
+  return column(samples, [](const Sample& s) { return s.stress_mpa; });
+}
+
 /// Eq. (E12).
 double residual_stress(const std::vector<Sample>& samples) {
-  const double from = (1.0 - kResidualShare) * samples.back().closure_mm;
-  double sum = 0.0;
-  int count = 0;
-  for (const Sample& s : samples) {
-    if (s.closure_mm < from) continue;
-    sum += s.stress_mpa;
-    ++count;
-  }
-  return sum / count;
+  return mean_at(stresses(samples), late_rows(displacements(samples), kResidualShare));
 }
 
-/// Least-squares slope of the dilation over the shear displacement between two shares of the peak's displacement.
-double dilation_rate(const std::vector<Sample>& samples, double from_mm, double to_mm) {
-  double n = 0, mx = 0, my = 0, sxx = 0, sxy = 0;
-  const auto inside = [&](const Sample& s) { return s.closure_mm >= from_mm && s.closure_mm <= to_mm; };
-  for (const Sample& s : samples) {
-    if (!inside(s)) continue;
-    n += 1;
-    mx += s.closure_mm;
-    my += s.joint.dilation.mean;
-  }
-  if (n < 3) return 0.0;
-  mx /= n;
-  my /= n;
-  for (const Sample& s : samples) {
-    if (!inside(s)) continue;
-    sxx += (s.closure_mm - mx) * (s.closure_mm - mx);
-    sxy += (s.closure_mm - mx) * (s.joint.dilation.mean - my);
-  }
-  return sxx > 0.0 ? sxy / sxx : 0.0;
+/// Eq. (E14), up to the peak's displacement.
+double dilation_rate(const std::vector<Sample>& samples, double peak_mm) {
+  const auto dilation = column(samples, [](const Sample& s) { return s.joint.dilation.mean; });
+  return slope_between(displacements(samples), dilation, kRateShare * peak_mm, peak_mm).value_or(0.0);
 }
 
-/// Eq. (E13): falls from a running maximum, each until the stress has risen again by as much.
+/// Eq. (E13).
 Json drops(const std::vector<Sample>& samples, double peak) {
   Json list = Json::array();
-  const double least = kDrop * peak;
-  std::size_t high = 0, low = 0;
-  const auto enter = [&] {
-    if (samples[high].stress_mpa - samples[low].stress_mpa < least) return;
-    list.push_back({{"from_mm", samples[high].closure_mm},
-                    {"to_mm", samples[low].closure_mm},
-                    {"from_mpa", samples[high].stress_mpa},
-                    {"to_mpa", samples[low].stress_mpa}});
-  };
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (samples[i].stress_mpa < samples[low].stress_mpa) low = i;
-    const bool risen = samples[i].stress_mpa > samples[low].stress_mpa + least;
-    if (samples[i].stress_mpa <= samples[high].stress_mpa && !(risen && low > high)) continue;
-    if (low > high) enter();
-    high = low = i;
+  for (const Drop& drop : find_drops(stresses(samples), kDrop * peak)) {
+    list.push_back({{"from_mm", samples[drop.high].closure_mm},
+                    {"to_mm", samples[drop.low].closure_mm},
+                    {"from_mpa", samples[drop.high].stress_mpa},
+                    {"to_mpa", samples[drop.low].stress_mpa}});
   }
-  if (low > high) enter();
   return list;
 }
 
@@ -146,7 +129,7 @@ Json joint_results(const Model& model, const RunState& state, const Peak& peak) 
           {"end_shear_displacement_mm", last.closure_mm},
           {"end_dilation_mm", last.joint.dilation.mean},
           {"peak_dilation_mm", at_peak.joint.dilation.mean},
-          {"dilation_rate_before_peak", dilation_rate(state.samples, 0.3 * at_peak.closure_mm, at_peak.closure_mm)},
+          {"dilation_rate_before_peak", dilation_rate(state.samples, at_peak.closure_mm)},
           {"peak_passed", !peak.at_end},
           {"drops", drops(state.samples, peak.stress_mpa)}};
 }

@@ -6,34 +6,24 @@
 
 #include "core/base/error.hpp"
 #include "core/base/units.hpp"
+#include "core/measurement/line_fit.hpp"
 
 namespace asperity {
 namespace {
 
-/// Least-squares line y = intercept + slope x.
-struct Line {
-  double slope = 0, intercept = 0;
-};
-
-Line fit_line(std::span<const double> x, std::span<const double> y) {
-  double mx = 0, my = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mx += x[i];
-    my += y[i];
-  }
-  mx /= static_cast<double>(x.size());
-  my /= static_cast<double>(x.size());
-  double sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    sxx += (x[i] - mx) * (x[i] - mx);
-    sxy += (x[i] - mx) * (y[i] - my);
-  }
-  const double slope = sxy / sxx;
-  return {slope, my - slope * mx};
+/// Least-squares slope of y over x, freed of the flattening by noise of x; Eq. (F27).
+double ratio_without_noise(std::span<const double> x, std::span<const double> y, double noise) {
+  const double slope = fit_line(x, y).slope;
+  if (noise == 0.0) return slope;
+  const auto n = static_cast<double>(x.size());
+  double mean = 0.0, square = 0.0;
+  for (const double v : x) mean += v / n;
+  for (const double v : x) square += (v - mean) * (v - mean);
+  const double own = square - (n - 1.0) * noise * noise;
+  return own > 0.0 ? slope * square / own : slope;
 }
 
 }  // namespace
-
 Peak find_peak(std::span<const Sample> samples, double strain_limit) {
   if (samples.empty()) throw Error(ErrorKind::tolerance, "no sample was recorded, so there is no peak");
   Peak peak;
@@ -49,35 +39,38 @@ Peak find_peak(std::span<const Sample> samples, double strain_limit) {
 }
 
 std::optional<double> first_drop(std::span<const Sample> samples, double strain_limit) {
-  constexpr double kDrop = 0.1;
-  double largest = 0.0;
+  std::vector<double> stress, cracks;
   for (const Sample& s : samples) {
     if (s.axial_strain > strain_limit) break;
-    largest = std::max(largest, s.stress_mpa);
-    const bool cracked = s.cracks_tension + s.cracks_shear > 0;
-    if (cracked && s.stress_mpa < (1.0 - kDrop) * largest) return largest;
+    stress.push_back(s.stress_mpa);
+    cracks.push_back(s.cracks_tension + s.cracks_shear);
   }
-  return std::nullopt;
+  return first_drop(stress, cracks, FirstDropRule{});
+}
+
+std::optional<ElasticResult> elastic_slopes(const ElasticColumns& columns, std::size_t end, const StressRange& window,
+                                            std::optional<PlaneCondition> plane) {
+  const auto rows = window_rows(columns.stress_mpa, end, window.low_mpa, window.high_mpa);
+  if (rows.size() < 3) return std::nullopt;
+  const std::vector<double> axial = gather(columns.axial_strain, rows);
+  const double modulus = 1.0 / fit_line(gather(columns.stress_mpa, rows), axial).slope;
+  const double ratio = ratio_without_noise(axial, gather(columns.lateral_strain, rows), columns.axial_noise);
+  if (plane != PlaneCondition::strain) return ElasticResult{modulus / units::kMpaPerGpa, ratio};
+  const double nu = ratio / (1.0 + ratio);
+  return ElasticResult{modulus * (1.0 - nu * nu) / units::kMpaPerGpa, nu};
 }
 
 std::optional<ElasticResult> fit_moduli(std::span<const Sample> samples, const Peak& peak, const RunConfig& config) {
   const double base = config.experiment.confining_pressure_mpa;
-  const double low = base + config.measurement.modulus_window_low * (peak.stress_mpa - base);
-  const double high = base + config.measurement.modulus_window_high * (peak.stress_mpa - base);
+  const StressRange window{base + config.measurement.modulus_window_low * (peak.stress_mpa - base),
+                           base + config.measurement.modulus_window_high * (peak.stress_mpa - base)};
   std::vector<double> stress, axial, lateral;
-  for (std::size_t i = 0; i < peak.index; ++i) {
-    const Sample& s = samples[i];
-    if (s.stress_mpa < low || s.stress_mpa > high) continue;
+  for (const Sample& s : samples.first(peak.index)) {
     stress.push_back(s.stress_mpa);
     axial.push_back(s.gauge_axial_strain);
     lateral.push_back(s.lateral_strain);
   }
-  if (stress.size() < 3) return std::nullopt;
-  const double modulus = 1.0 / fit_line(stress, axial).slope;
-  const double ratio = fit_line(axial, lateral).slope;
-  if (config.experiment.plane == PlaneCondition::stress) return ElasticResult{modulus / units::kMpaPerGpa, ratio};
-  const double nu = ratio / (1.0 + ratio);
-  return ElasticResult{modulus * (1.0 - nu * nu) / units::kMpaPerGpa, nu};
+  return elastic_slopes({stress, axial, lateral}, peak.index, window, config.experiment.plane);
 }
 
 double splitting_stress(double load_n_per_mm, double diameter_mm) {

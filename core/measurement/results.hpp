@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/config/run_config.hpp"
+#include "core/measurement/drops.hpp"
 #include "core/measurement/sample.hpp"
 
 namespace asperity {
@@ -27,7 +28,23 @@ struct ElasticResult {
   double youngs_modulus_gpa = 0, poissons_ratio = 0;
 };
 
-/// Least-squares slopes of gauge strains over stress between the two fractions of the peak (measured from the confining
+/// Columns of one length from which moduli are read: axial stress (MPa), gauge strains.
+struct ElasticColumns {
+  std::span<const double> stress_mpa, axial_strain, lateral_strain;
+  double axial_noise = 0;  ///< Standard deviation of a row's axial strain.
+};
+
+/// Total axial stresses between which a modulus is read, MPa.
+struct StressRange {
+  double low_mpa = 0, high_mpa = 0;
+};
+
+/// Least-squares slopes over the rows before `end` whose stress lies in the window; Eqs. (M4)-(M6), corrected for the
+/// plane condition where there is one (a real specimen has none). Empty where fewer than three rows lie in it.
+std::optional<ElasticResult> elastic_slopes(const ElasticColumns& columns, std::size_t end, const StressRange& window,
+                                            std::optional<PlaneCondition> plane);
+
+/// The same of a run between the two fractions of the peak (measured from the confining
 /// pressure), before the peak; corrected for plane strain. Empty where fewer than three samples lie in the window.
 std::optional<ElasticResult> fit_moduli(std::span<const Sample> samples, const Peak& peak, const RunConfig& config);
 

@@ -63,6 +63,7 @@ class CsvData {
  public:
   const std::vector<std::string>& names() const { return names_; }
   std::size_t rows() const { return lines_.size(); }
+  std::size_t line(std::size_t row) const { return lines_[row]; }  ///< In the file, from 1.
   bool has(std::string_view name) const;
 
   /// The column as numbers; an empty cell is NaN. Throws Error(config) with file:line for a cell that is no number, and

@@ -115,7 +115,7 @@ std::vector<double> CsvData::numbers(std::string_view name) const {
   std::vector<double> values(cells.size());
   for (std::size_t row = 0; row < cells.size(); ++row) {
     const std::optional<double> value = to_number(cells[row]);
-    if (!value) throw data_error(path_, lines_[row], {"", std::string(name) + " is no number", cells[row], "", ""});
+    if (!value) throw data_error(path_, lines_[row], {"", std::string(name) + " is no number", cells[row], "a number", ""});
     values[row] = *value;
   }
   return values;
@@ -153,7 +153,7 @@ CsvData parse_csv(std::string_view bytes, const std::filesystem::path& name) {
     if (!cells) throw data_error(name, number, {"", "a quote stays open", std::string(line), "", ""});
     data.add_line(number, *std::move(cells));
   }
-  if (data.names_.empty()) throw data_error(name, 0, {"", "has no header row", "", "", ""});
+  if (data.names_.empty()) throw data_error(name, 0, {"", "has no header row", "", "a row with the names of the columns", ""});
   return data;
 }
 

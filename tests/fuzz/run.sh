@@ -6,7 +6,7 @@ set -eu
 
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
 cd "$root"
-harnesses='config overrides csv manifest summary checkpoint'
+harnesses='config overrides csv measured curve manifest summary checkpoint'
 wanted=${1-all} seconds=${2-600}
 [ "$wanted" = all ] || harnesses=$wanted
 

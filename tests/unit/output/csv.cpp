@@ -126,7 +126,7 @@ TEST_CASE("faults in a CSV file name file and line") {
   };
   CHECK_THAT(message("# c\nx_mm,y\n1,2\n1\n"),
              Catch::Contains("data.csv:4: wrong number of cells (found 1; allowed: 2: x_mm, y)"));
-  CHECK_THAT(message("x_mm\n1\nabc\n"), Catch::Contains("data.csv:3: x_mm is no number (found abc)"));
+  CHECK_THAT(message("x_mm\n1\nabc\n"), Catch::Contains("data.csv:3: x_mm is no number (found abc; allowed: a number)"));
   CHECK_THAT(message("x_mm\n1.0.0\n"), Catch::Contains("data.csv:2: x_mm is no number"));
   CHECK_THAT(message("x_mm\n\"1\n"), Catch::Contains("data.csv:2: a quote stays open"));
   CHECK_THAT(message("x_mm,x_mm\n"), Catch::Contains("data.csv:1: a column is named twice (found x_mm)"));
