@@ -14,6 +14,7 @@
 #include "core/config/schema.hpp"
 #include "core/experiment/model.hpp"
 #include "core/output/manifest.hpp"
+#include "core/output/measured_curve.hpp"
 #include "core/output/run_folder.hpp"
 
 namespace asperity::app {
@@ -38,7 +39,9 @@ void validate_calibration(const std::filesystem::path& path, const std::vector<s
 }
 
 void validate_run(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  const Model model = build_model(read_run_config(path, overrides), ParallelLoops());
+  const RunConfig config = read_run_config(path, overrides);
+  read_measured_curves(config);
+  const Model model = build_model(config, ParallelLoops());
   std::cout << path.string() << ": valid (" << model.mesh.triangles.size() << " triangles, time step "
             << model.system.time_step << " s)\n";
 }
