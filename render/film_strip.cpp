@@ -48,7 +48,7 @@ Drawing draw_film_strip(const std::vector<StripPanel>& panels, Field field, int 
   }
   View view = fit_view(panels.front().frame, {kMargin, kMargin, kMargin + panel, bottom});
   view.area.bottom += kCaptionRow;
-  draw_scale_bar(drawing, view, kUnit);
+  draw_scale_bar(drawing, view, 1.0);
   return drawing;
 }
 

@@ -58,10 +58,13 @@ std::string mobilised(const JointNumbers& n, double base_mm) {
 /// Whether the rock failed bit by bit before the peak.
 std::string progressive(const JointNumbers& n, double base_mm) {
   if (n.softening_at_peak == 0 && n.at_peak.length_mm == 0) return "";
+  const std::string broken = n.at_peak.length_mm == 0
+                                 ? "no contact had broken yet"
+                                 : fmt::format("contacts of {} in all had broken ({:.0f} % of the base's {})",
+                                               mm(n.at_peak.length_mm), 100 * n.at_peak.length_mm / base_mm, mm(base_mm));
   std::string text = fmt::format(
-      "At the peak contacts of {} in all had broken ({:.0f} % of the base's {}) and {} were softening: the cohesion is not "
-      "borne all along at once, as the closed form has it. ",
-      mm(n.at_peak.length_mm), 100 * n.at_peak.length_mm / base_mm, mm(base_mm), n.softening_at_peak);
+      "At the peak {} and {} were softening: the cohesion is not borne all along at once, as the closed form has it. ",
+      broken, n.softening_at_peak);
   if (n.softening_at_peak > 0 && n.shear_fracture_energy_n_per_mm)
     text += fmt::format("In shear they lose it over G_II = {} N/mm. ", decimals(*n.shear_fracture_energy_n_per_mm, 3));
   return text;
@@ -111,7 +114,7 @@ std::string why_sliding(const JointNumbers& n) {
                                  : fmt::format("The simulation is {}. ", percent_apart(n.peak_mpa, s.sliding_mpa));
     return "No tooth was sheared off. " + head + on_its_own_slope(n);
   }
-  std::string text = fmt::format("{}, so that the flanks were not slid up to their crests. ", first_failure(n));
+  std::string text = capital(first_failure(n)) + ", so that the flanks were not slid up to their crests. ";
   if (s.sliding_mpa > s.plane_shear_mpa)
     text += fmt::format("Shearing through asks for less ({}): σ_n = {} is above the transition stress, {}. ",
                         mpa(s.plane_shear_mpa), mpa(n.normal_mpa), mpa(s.transition_mpa));
@@ -144,7 +147,7 @@ std::string why_staggered(const JointNumbers& n) {
     return fmt::format("The teeth failed together, so that the steepest did not carry alone: {}. ", unequal_loads(n));
   const double largest = n.teeth[*n.first].most_mpa;
   return fmt::format("{}, having borne at most {} of the shear stress on its leading flank; alone it should bear {}. ",
-                     first_failure(n), mpa(largest), mpa(s.strength_mpa)) +
+                     capital(first_failure(n)), mpa(largest), mpa(s.strength_mpa)) +
          (agrees(n.peak_mpa, n.forms.staged_peak_mpa) ? agreement(n.peak_mpa, n.forms.staged_peak_mpa)
                                                       : why_below_or_above(n, n.forms.staged_peak_mpa, s.group.base_mm));
 }
@@ -175,17 +178,21 @@ std::string residual_state(const JointNumbers& n) {
   return text;
 }
 
-std::string why_residual(const JointNumbers& n, double predicted, double angle_deg) {
-  std::string text = residual_state(n);
-  if (agrees(n.residual_mpa, predicted)) text += agreement(n.residual_mpa, predicted);
+/// What friction of this angle makes on the slope that the upper half moved along in the last quarter.
+std::string on_last_slope(const JointNumbers& n, const char* whose, double angle_deg, double predicted) {
   const double slope = slope_deg(n.last_quarter_slope);
+  return fmt::format("On that slope the {} friction makes {}. ", whose, mpa(friction_mpa(n.normal_mpa, angle_deg + slope))) +
+         (agrees(n.residual_mpa, predicted) ? agreement(n.residual_mpa, predicted) : "");
+}
+
+std::string why_residual(const JointNumbers& n) {
+  std::string text = residual_state(n);
   text += fmt::format("The residual is a friction of {}. Over the last quarter the upper half {} by {} mm per mm",
                       degrees(slope_deg(n.residual_mpa / n.normal_mpa)), n.last_quarter_slope < 0 ? "sank" : "rose",
                       decimals(std::abs(n.last_quarter_slope), 3));
-  text += fmt::format("; on that slope this friction makes {}", mpa(friction_mpa(n.normal_mpa, angle_deg + slope)));
-  return text + (n.last_quarter_cracks > 0
-                     ? fmt::format(", and {} more contacts broke: rubble is still being ground. ", n.last_quarter_cracks)
-                     : ". ");
+  text += n.last_quarter_cracks > 0 ? fmt::format(", and {} more contacts broke: rubble is still being ground. ", n.last_quarter_cracks)
+                                    : ". ";
+  return text + on_last_slope(n, "joint's", n.joint.joint_friction_deg, n.forms.residual_low_mpa);
 }
 
 std::string why_transition(const JointNumbers& n) {
@@ -201,7 +208,6 @@ std::string why_transition(const JointNumbers& n) {
 
 std::vector<FormBeside> forms_beside(const JointNumbers& n) {
   const ToothStage& s = n.forms.stages.front();
-  const double low = n.forms.residual_low_mpa, high = n.forms.residual_high_mpa;
   std::vector<FormBeside> all{{"sliding up the flanks", "C61", s.sliding_mpa, n.peak_mpa, "peak", why_sliding(n)}};
   if (s.group.base_mm > 0) {
     all.push_back({"sheared through at the base", "C62", s.base_shear_mpa, n.peak_mpa, "peak", why_shearing(n)});
@@ -212,10 +218,9 @@ std::vector<FormBeside> forms_beside(const JointNumbers& n) {
     all.push_back({"all teeth at once", "C70", n.forms.together_mpa, n.peak_mpa, "peak", why_together(n)});
   }
   all.push_back({"Ladanyi & Archambault", "C66", n.forms.ladanyi_archambault.shear_mpa, n.peak_mpa, "peak", why_ladanyi(n)});
-  all.push_back({"residual, joint's friction", "C69", low, n.residual_mpa, "residual",
-                 why_residual(n, low, n.joint.joint_friction_deg)});
-  all.push_back({"residual, rock's friction", "C69", high, n.residual_mpa, "residual",
-                 why_residual(n, high, n.joint.friction_deg)});
+  all.push_back({"residual, joint's friction", "C69", n.forms.residual_low_mpa, n.residual_mpa, "residual", why_residual(n)});
+  all.push_back({"residual, rock's friction", "C69", n.forms.residual_high_mpa, n.residual_mpa, "residual",
+                 "As above. " + on_last_slope(n, "rock's", n.joint.friction_deg, n.forms.residual_high_mpa)});
   return all;
 }
 

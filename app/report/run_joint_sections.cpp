@@ -4,6 +4,7 @@
 
 #include "app/report/joint_reasons.hpp"
 #include "app/report/joint_words.hpp"
+#include "app/report/quantities.hpp"
 #include "app/report/run_parts.hpp"
 
 namespace asperity::app {
@@ -14,18 +15,18 @@ using html::Markup;
 
 Markup teeth_table(const Value& teeth) {
   html::Table table{
-      "Each tooth of the lower half, counted against the motion's direction from x = 0. Stresses are shares of the joint's "
+      "Each tooth of the lower half, counted along x, the direction in which it moves. Stresses are shares of the joint's "
       "shear stress; a tooth is sheared off once less than half of it hangs together with the lower half (E15).",
       {{"Tooth", {}, ColumnKind::head},
        {"Angle", "°"},
-       {"Sheared off at", "mm"},
-       {"Shear stress then", "MPa"},
-       {"Leading flank at the peak", "MPa"},
-       {"Trailing flank at the peak", "MPa"},
-       {"Leading flank's most", "MPa"},
+       {html::lines({"Sheared", "off at"}), "mm"},
+       {html::lines({"Shear stress", "then"}), "MPa"},
+       {html::lines({"Leading flank", "at the peak"}), "MPa"},
+       {html::lines({"Trailing flank", "at the peak"}), "MPa"},
+       {html::lines({"Leading", "flank's most"}), "MPa"},
        {"at", "mm"},
-       {"Attached at the end", "%"},
-       {"Broken contacts"}},
+       {html::lines({"Attached", "at the end"}), "%"},
+       {html::lines({"Broken", "contacts"})}},
       {}};
   int number = 0;
   for (const Value& t : teeth.items())
@@ -68,7 +69,7 @@ html::Section verdict_section(const RunContext& context) {
   const bool judged = context.joint && !context.joint->teeth_failed.empty() && context.joint->teeth.size() > 1;
   if (!judged) return section;
   std::vector<Markup> sentences;
-  for (const std::string& sentence : teeth_story(*context.joint, context.curves)) sentences.emplace_back(sentence);
+  for (const std::string& sentence : teeth_story(*context.joint, context.curves)) sentences.push_back(page_text(sentence));
   section.parts.push_back(html::paragraph(html::strong(sentences.front())));
   sentences.erase(sentences.begin());
   section.parts.push_back(html::bullet_list(sentences));
@@ -79,7 +80,7 @@ html::Row form_row(const FormBeside& form) {
   const bool comparable = std::isfinite(form.predicted_mpa) && form.predicted_mpa > 0;
   return {{form.name, form.equation, html::fixed(form.predicted_mpa, 3),
            html::fixed(form.simulated_mpa, 3) + " (" + form.simulated_name + ")",
-           comparable ? html::fixed(form.simulated_mpa / form.predicted_mpa, 3) : Markup("–"), form.why}};
+           comparable ? html::fixed(form.simulated_mpa / form.predicted_mpa, 3) : Markup("–"), page_text(form.why)}};
 }
 
 }  // namespace
@@ -107,15 +108,15 @@ html::Section closed_forms_section(const RunContext& context) {
                                          "and /material/friction_angle_deg of the configuration."));
     return section;
   }
-  html::Table table{fmt::format("Strengths on the plan area under a normal stress of {}, with C = {}, φ = {}, φ_j = {}. "
+  html::Table table{page_text(fmt::format("Strengths on the plan area under a normal stress of {}, with C = {}, φ = {}, φ_j = {}. "
                                 "Equations: core/contact/README.md.",
                                 mpa(context.joint->normal_mpa), mpa(context.joint->joint.cohesion_mpa),
-                                degrees(context.joint->joint.friction_deg), degrees(context.joint->joint.joint_friction_deg)),
+                                degrees(context.joint->joint.friction_deg), degrees(context.joint->joint.joint_friction_deg))),
                     {{"Closed form", {}, ColumnKind::head},
                      {"Eq.", {}, ColumnKind::text},
                      {"Predicted", "MPa"},
                      {"Simulated", "MPa"},
-                     {"Simulated / predicted"},
+                     {html::lines({"Simulated", "/ predicted"})},
                      {"Why they differ", {}, ColumnKind::prose}},
                     {}};
   for (const FormBeside& form : forms_beside(*context.joint)) table.rows.push_back(form_row(form));

@@ -12,9 +12,11 @@ namespace {
 using html::ColumnKind;
 using html::Markup;
 
-/// A number in four digits, yes or no, words; "–" where it was not reached.
+/// A count as it stands, another number in four digits, yes or no, words; "–" where it was not reached.
 Markup value_markup(const Value& value) {
-  return value.is_number() ? html::number(value.number()) : Markup(value.words());
+  if (!value.is_number()) return value.words();
+  const double number = value.number();
+  return std::floor(number) == number && std::abs(number) < 1e9 ? html::fixed(number, 0) : html::number(number);
 }
 
 html::Table quantity_table(const Markup& caption) {
@@ -142,8 +144,9 @@ html::Section events_section(const RunContext& context) {
   const std::vector<double> energies = events.numbers("energy_n_mm"), cracks = events.numbers("cracks");
   const auto largest = static_cast<std::size_t>(std::max_element(energies.begin(), energies.end()) - energies.begin());
   section.parts.push_back(html::paragraph(
-      Markup(fmt::format("Cracks near in space and time make {} events. The largest by fracture energy joins {:.0f} cracks and took ",
-                         events.rows(), cracks[largest])) +
+      Markup(fmt::format("Cracks near in space and time make {} {}. The largest by fracture energy has {:.0f} {} and took ",
+                         events.rows(), events.rows() == 1 ? "event" : "events", cracks[largest],
+                         cracks[largest] == 1 ? "crack" : "cracks")) +
       html::number(energies[largest], 3) + " N mm, " + html::number(1e3 * events.numbers("time_s")[largest]) +
       " ms after the start. " + file_link(context, "events.csv") + " has them all."));
   return section;

@@ -90,7 +90,7 @@ std::string whole(const std::vector<std::string>& story) {
 
 TEST_CASE("A tooth that was sheared off did not slide: when, why, and what its own slope gives") {
   const std::string text = why(sheared_tooth(), "sliding up the flanks");
-  CHECK_THAT(text, Catch::Contains("the tooth was sheared off at 0.92 mm"));
+  CHECK_THAT(text, Catch::Contains("The tooth was sheared off at 0.92 mm"));
   // C62 = 2.48 MPa is less than C61 = 3.15; C65 gives 0.95 MPa.
   CHECK_THAT(text, Catch::Contains("2.48 MPa") && Catch::Contains("above the transition stress, 0.95 MPa"));
   // atan 0.32 = 17.7 degrees; 1.47 tan(52.74 degrees) = 1.93 MPa.
@@ -153,8 +153,10 @@ TEST_CASE("The residual tells its friction angle, the slope it moved on, and whe
   // atan(1.42 / 1.47) = 44.0 degrees; 1.47 tan(35 - 1.15 degrees) = 0.986 MPa.
   CHECK_THAT(why(n, "residual, joint's friction"), Catch::Contains("44.0°") && Catch::Contains("sank by 0.020") &&
                                                        Catch::Contains("0.99 MPa") && Catch::Contains("7 more contacts broke"));
+  // 1.47 tan(40 - 1.15 degrees) = 1.18 MPa.
+  CHECK_THAT(why(n, "residual, rock's friction"), Catch::Contains("rock's friction makes 1.18 MPa"));
   n.teeth[0].sheared_off_mm = 10.0;
-  CHECK_THAT(why(n, "residual, rock's friction"), Catch::Contains("10.00 mm only, inside the last quarter (9.00 mm to 12.00 mm)"));
+  CHECK_THAT(why(n, "residual, joint's friction"), Catch::Contains("10.00 mm only, inside the last quarter (9.00 mm to 12.00 mm)"));
 }
 
 TEST_CASE("Forms of several teeth stand only where there are several") {
