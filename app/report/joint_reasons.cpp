@@ -75,10 +75,12 @@ std::string plane_of_cracks(const JointNumbers& n) {
   const BrokenNumbers& b = n.at_end;
   if (b.length_mm == 0) return "";
   std::string text;
-  if (std::abs(b.mean_height_mm) > 0.5 * n.edge_mm || b.height_sd_mm > n.edge_mm)
-    text = fmt::format(
-        "The broken contacts lie {} ± {} {} the base's plane, not on it. ", mm(std::abs(b.mean_height_mm)),
-        mm(b.height_sd_mm), b.mean_height_mm < 0 ? "below" : "above");
+  if (std::abs(b.mean_height_mm) > 0.5 * n.edge_mm)
+    text = fmt::format("The broken contacts lie {} ± {} {} the base's plane, not on it. ",
+                       mm(std::abs(b.mean_height_mm)), mm(b.height_sd_mm), b.mean_height_mm < 0 ? "below" : "above");
+  else if (b.height_sd_mm > n.edge_mm)
+    text = fmt::format("The broken contacts are spread by ± {} about the base's plane: they are not one plane. ",
+                       mm(b.height_sd_mm));
   if (b.tension_share > 0.1)
     text += fmt::format("{:.0f} % of their length broke in tension, where C and φ are not asked. ", 100 * b.tension_share);
   return text;

@@ -118,6 +118,8 @@ TEST_CASE("A sentence stands only where the run's numbers bear it out") {
   CHECK_THAT(text, !Catch::Contains("all at once") && !Catch::Contains("G_II") && !Catch::Contains("not on it"));
   CHECK_THAT(text, Catch::Contains("40 % of their length broke in tension") && Catch::Contains("bore 70 %") &&
                        Catch::Contains("1.60 MPa at the peak"));
+  n.at_end = {20.0, 0.0, 0.1, 0.9};
+  CHECK_THAT(why(n, "sheared through at the base"), Catch::Contains("spread by ± 0.90 mm"));
   n.peak_mpa = 3.0;
   n.at_end = {};
   n.leading_share_at_peak = 1.0;
