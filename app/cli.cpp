@@ -95,9 +95,9 @@ void add_render(CLI::App& cli, Action& action) {
 void add_report(CLI::App& cli, Action& action) {
   auto folder = std::make_shared<std::filesystem::path>();
   CLI::App* command =
-      cli.add_subcommand("report", "Writes the report page of a calibration's folder anew, with its plots");
-  command->add_option("dir", *folder, "Folder with calibration.json")->required();
-  command->footer("Example:\n  asperity report outputs/plaster");
+      cli.add_subcommand("report", "Writes the report page of a run's or a calibration's folder anew, with its plots");
+  command->add_option("dir", *folder, "Folder of a run, or with calibration.json")->required();
+  command->footer("Examples:\n  asperity report outputs/quickstart\n  asperity report outputs/plaster");
   command->callback([=, &action] { action = [=] { return report_command(*folder); }; });
 }
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "core/experiment/model.hpp"
+#include "core/config/run_config.hpp"
 #include "core/output/run_folder.hpp"
 
 namespace asperity::app {
@@ -20,9 +20,5 @@ std::vector<int> frames_to_draw(const std::filesystem::path& root, const OutputC
 
 /// Draws the configuration's fields of these frames; false where a signal ended it.
 bool draw_until_interrupted(const RunFolder& folder, const OutputConfig& output, const std::vector<int>& frames);
-
-/// Draws plots/ from the run's tables: stress-strain (of a joint: shear stress and dilation, and its teeth), energy
-/// account, cracks; each as PNG and SVG.
-void draw_plots(const RunFolder& folder, const Model& model);
 
 }  // namespace asperity::app

@@ -8,8 +8,11 @@
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
 #include "app/libraries.hpp"
+#include "app/measured_copy.hpp"
 #include "app/pictures.hpp"
 #include "app/progress.hpp"
+#include "app/report/run_report.hpp"
+#include "app/run_plots.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/log.hpp"
@@ -178,22 +181,39 @@ void print_results(const std::filesystem::path& root) {
   std::cout << root.string() << std::endl;
 }
 
-/// A run made with --no-render is finished, but has no pictures yet. Returns false where a signal ended the drawing.
+/// A run made with --no-render is finished, but has no pictures yet; one that was cut off behind its last picture has no
+/// page. Returns false where a signal ended the drawing.
 bool draw_if_missing(const RunConfig& config, const std::filesystem::path& root, const SessionOptions& options) {
-  if (!options.render) return true;
+  if (!options.render || config.output.frames == 0) return true;
   const std::vector<int> frames = frames_to_draw(root, config.output);
-  return frames.empty() || draw_until_interrupted(RunFolder::open(root), config.output, frames);
+  if (frames.empty() && std::filesystem::exists(root / "report.html")) return true;
+  const RunFolder folder = RunFolder::open(root);
+  if (!frames.empty() && !draw_until_interrupted(folder, config.output, frames)) return false;
+  draw_strip(folder, config);
+  write_run_report(root);
+  return true;
+}
+
+int reuse(const RunConfig& config, const std::string& original, const std::filesystem::path& root,
+          const SessionOptions& options) {
+  std::cerr << "this run is already there, made by the same code; --force runs it again\n";
+  const MeasuredCopy measured = measured_copy(config);
+  if (config.output.frames > 0 && !has_measured(config, root, measured)) renew_measured(config, original, root, measured);
+  if (!draw_if_missing(config, root, options)) return kExitInterrupted;
+  print_results(root);
+  return 0;
 }
 
 /// Plots, and the pictures that are missing; neither where tables are all that is wanted: drawing takes as long as a
 /// small run. Returns false where a signal ended the drawing.
 bool draw(Session& s) {
   if (s.model.config.output.frames == 0) return true;
-  draw_plots(s.folder, s.model);
+  const RunConfig& config = s.model.config;
+  draw_plots(s.folder, config);
   if (!s.options.render) return true;
   const Timed timed(s.manifest.timings_s["render_s"]);
-  const OutputConfig& output = s.model.config.output;
-  return draw_until_interrupted(s.folder, output, frames_to_draw(s.folder.root(), output));
+  draw_strip(s.folder, config);
+  return draw_until_interrupted(s.folder, config.output, frames_to_draw(s.folder.root(), config.output));
 }
 
 /// The error with what is left of the run: only states that have passed the guards become checkpoints. What is left
@@ -219,6 +239,7 @@ int carry_out(Session& s, const ParallelLoops& loops) {
   write_results(s);
   if (!draw(s)) return interrupt(s, "interrupted while pictures were drawn; all is computed");
   end(s, Outcome::finished, describe(s.state.stop));
+  if (s.options.render && s.model.config.output.frames > 0) write_run_report(s.folder.root());
   s.checkpoints.remove();
   print_results(s.folder.root());
   return 0;
@@ -309,15 +330,13 @@ int run_from_start(const RunConfig& config, const std::string& original, const s
   const std::string hash = config_hash(config);
   const RunIdentity identity = identity_of(hash);
   if (decide_folder_use(root, identity, existing).use == FolderUse::reuse) {
-    std::cerr << "this run is already there, made by the same code; --force runs it again\n";
-    if (!draw_if_missing(config, root, options)) return kExitInterrupted;
-    print_results(root);
-    return 0;
+    return reuse(config, original, root, options);
   }
+  const MeasuredCopy measured = measured_copy(config);
   Build b = build(config, options);
   RunFolder folder = RunFolder::begin(root, identity, existing);
-  write_file_atomically(folder.original_config(), original);
-  write_file_atomically(folder.effective_config(), effective_json(config));
+  write_configs(folder, config, original, measured);
+  if (measured.given) b.model.config.output.measured_curve = folder.measured_curve().string();
   return run_in(std::move(folder), std::move(b), hash, options, {});
 }
 

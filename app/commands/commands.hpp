@@ -50,7 +50,7 @@ struct RenderOptions {
 
 int render_command(const RenderOptions& options);
 
-/// Writes report.html of a calibration's folder anew and prints its path.
+/// Writes report.html of a run's or a calibration's folder anew, with its plots, and prints its path.
 int report_command(const std::filesystem::path& folder);
 
 struct AuditOptions {

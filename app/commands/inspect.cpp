@@ -15,6 +15,7 @@
 #include "core/confrontation/read_measured.hpp"
 #include "core/experiment/model.hpp"
 #include "core/output/manifest.hpp"
+#include "core/output/measured_curve.hpp"
 #include "core/output/run_folder.hpp"
 
 namespace asperity::app {
@@ -47,7 +48,9 @@ void validate_measured(const std::filesystem::path& path, const std::vector<std:
 }
 
 void validate_run(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  const Model model = build_model(read_run_config(path, overrides), ParallelLoops());
+  const RunConfig config = read_run_config(path, overrides);
+  read_measured_curves(config);
+  const Model model = build_model(config, ParallelLoops());
   std::cout << path.string() << ": valid (" << model.mesh.triangles.size() << " triangles, time step "
             << model.system.time_step << " s)\n";
 }

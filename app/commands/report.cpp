@@ -2,20 +2,38 @@
 
 #include "app/commands/commands.hpp"
 #include "app/report/calibration_report.hpp"
+#include "app/report/run_report.hpp"
+#include "app/run_plots.hpp"
 #include "core/base/error.hpp"
+#include "core/config/read_config.hpp"
 
 namespace asperity::app {
+namespace {
+
+/// A run's plots are drawn anew with its page, so that both show the same; one without tables has none.
+std::filesystem::path draw_run(const std::filesystem::path& root) {
+  const RunFolder folder = RunFolder::open(root);
+  const RunConfig config = read_run_config(folder.effective_config());
+  if (std::filesystem::exists(folder.curves()) && std::filesystem::exists(folder.energy())) {
+    draw_plots(folder, config);
+    draw_strip(folder, config);
+  }
+  return write_run_report(root);
+}
+
+}  // namespace
 
 int report_command(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder))
+    throw Error(ErrorKind::config, {{folder.string(), "is no folder", "",
+                                     "a folder that `asperity run` or `asperity calibrate` has written", ""}});
+  const bool calibration = is_calibration_folder(folder);
+  if (!calibration && !is_run_folder(folder))
     throw Error(ErrorKind::config,
-                {{folder.string(), "is no folder", "", "a folder that `asperity calibrate` has written", ""}});
-  if (!is_calibration_folder(folder))
-    throw Error(
-        ErrorKind::config,
-        {{folder.string(), "holds no calibration.json, so no report can be made of it", "",
-          "the folder of a calibration; reports of runs, comparisons and confrontations do not exist yet", ""}});
-  std::cout << write_calibration_report(folder).string() << std::endl;
+                {{folder.string(), "holds neither calibration.json nor a run, so no report can be made of it", "",
+                  "the folder of a run or of a calibration",
+                  "reports of comparisons and confrontations do not exist yet"}});
+  std::cout << (calibration ? write_calibration_report(folder) : draw_run(folder)).string() << std::endl;
   return 0;
 }
 

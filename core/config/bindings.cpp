@@ -219,6 +219,8 @@ const std::vector<Binding>& bindings() {
       bind<&Run::output, &Output::width_px>("/output/width_px"),
       bind<&Run::output, &Output::height_px>("/output/height_px"),
       bind<&Run::output, &Output::checkpoint_interval_s>("/output/checkpoint_interval_s"),
+      bind<&Run::output, &Output::measured_curve>("/output/measured_curve"),
+      bind<&Run::output, &Output::measured_name>("/output/measured_name"),
   };
   return table;
 }

@@ -11,6 +11,7 @@
 #include "core/config/bindings.hpp"
 #include "core/config/cross_checks.hpp"
 #include "core/config/json_text.hpp"
+#include "core/config/measured_path.hpp"
 #include "core/config/overrides.hpp"
 #include "core/config/profile_csv.hpp"
 #include "core/config/schema_faults.hpp"
@@ -113,6 +114,7 @@ RunConfig parse_run_config(const std::string& text, const std::string& origin,
   if (!checkable) throw Error(ErrorKind::config, std::move(faults));
   append_new(faults, schema_faults(document, schema));
   append_new(faults, take_in_profile(document, std::filesystem::path(origin).parent_path()));
+  append_new(faults, take_in_measured_curve(document, std::filesystem::path(origin).parent_path()));
   const KeyNotes notes = notes_of(document, faults);
   const RunConfig config = fill(document, origin, notes);
   append_new(faults, cross_check(config, notes));

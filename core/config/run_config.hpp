@@ -197,6 +197,8 @@ struct OutputConfig {
   int width_px = 1600;
   int height_px = 1200;
   double checkpoint_interval_s = 60.0;  ///< Wall time; 0: after every step.
+  std::optional<std::string> measured_curve;  ///< CSV file drawn into the plots; read_run_config makes it absolute.
+  std::optional<std::string> measured_name;   ///< In legends; read_run_config takes the file's name where unset.
   bool operator==(const OutputConfig&) const = default;
 };
 

@@ -34,6 +34,8 @@ std::string config_hash(const RunConfig& config) {
   relevant.name.clear();
   relevant.description.clear();
   relevant.output.checkpoint_interval_s = OutputConfig().checkpoint_interval_s;
+  relevant.output.measured_curve.reset();
+  relevant.output.measured_name.reset();
   return sha256_hex(effective_json(relevant));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/experiment/joint_verdict.hpp"
 #include "core/measurement/drops.hpp"
 #include "core/measurement/joint_curve.hpp"
 
@@ -17,8 +18,6 @@ constexpr double kResidualShare = 0.25;
 constexpr double kDrop = 0.1;
 /// Share of the peak's displacement from which its dilation rate counts.
 constexpr double kRateShare = 0.3;
-/// A tooth is sheared off once less than this share of it hangs together with the lower half.
-constexpr double kShearedOff = 0.5;
 
 std::vector<double> column(const std::vector<Sample>& samples, double (*value)(const Sample&)) {
   std::vector<double> values(samples.size());
@@ -82,6 +81,29 @@ Json stage_entries(const std::vector<ToothStage>& stages) {
   return list;
 }
 
+/// Tooth `i` from 0.
+Json tooth_entry(const Model& model, const RunState& state, const TeethVerdict& verdict, std::size_t i) {
+  const double length = model.joint.profile.length();
+  const ToothSpan& span = model.joint.profile.teeth[i];
+  const ToothHistory& history = verdict.teeth[i];
+  const Sample* off = history.sheared_off ? &state.samples[*history.sheared_off] : nullptr;
+  const ToothReading& at_peak = state.samples[find_peak(state.samples, peak_limit(model.config)).index].joint.teeth[i];
+  const ToothReading& at_end = state.samples.back().joint.teeth[i];
+  return {{"angle_deg", span.back_angle_deg},
+          {"begin_mm", span.begin_mm},
+          {"end_mm", span.end_mm},
+          {"sheared_off", off != nullptr},
+          {"sheared_off_at_mm", off ? Json(off->closure_mm) : Json()},
+          {"shear_stress_then_mpa", off ? Json(off->stress_mpa) : Json()},
+          {"attached_share_at_end", at_end.attached_share},
+          {"cracks", at_end.cracks},
+          {"leading_flank_at_peak", vector_entries(at_peak.leading, length)},
+          {"trailing_flank_at_peak", vector_entries(at_peak.trailing, length)},
+          {"leading_flank_most_mpa", history.largest_mpa},
+          {"leading_flank_most_at_mm", history.largest_at_mm},
+          {"share_of_most_with_first", verdict.first ? Json(history.share_with_first) : Json()}};
+}
+
 }  // namespace
 
 std::optional<ToothedJoint> toothed_joint(const RunConfig& config, const JointProfile& profile) {
@@ -136,27 +158,13 @@ Json joint_results(const Model& model, const RunState& state, const Peak& peak) 
 
 Json tooth_entries(const Model& model, const RunState& state) {
   Json teeth = Json::array();
-  const double length = model.joint.profile.length();
-  const Peak peak = find_peak(state.samples, peak_limit(model.config));
-  const Sample& at_peak = state.samples[peak.index];
-  for (std::size_t i = 0; i < model.joint.gauge.tooth_area_mm2.size(); ++i) {
-    const auto sheared = std::find_if(state.samples.begin(), state.samples.end(), [&](const Sample& s) {
-      return s.joint.teeth[i].attached_share < kShearedOff;
-    });
-    const bool off = sheared != state.samples.end();
-    const ToothSpan& span = model.joint.profile.teeth[i];
-    teeth.push_back({{"angle_deg", span.back_angle_deg},
-                     {"begin_mm", span.begin_mm},
-                     {"end_mm", span.end_mm},
-                     {"sheared_off", off},
-                     {"sheared_off_at_mm", off ? Json(sheared->closure_mm) : Json()},
-                     {"shear_stress_then_mpa", off ? Json(sheared->stress_mpa) : Json()},
-                     {"attached_share_at_end", state.samples.back().joint.teeth[i].attached_share},
-                     {"cracks", state.samples.back().joint.teeth[i].cracks},
-                     {"leading_flank_at_peak", vector_entries(at_peak.joint.teeth[i].leading, length)},
-                     {"trailing_flank_at_peak", vector_entries(at_peak.joint.teeth[i].trailing, length)}});
-  }
-  return {{"teeth", teeth}, {"closed_forms", closed_form_entries(model, state)}};
+  const std::size_t count = model.joint.gauge.tooth_area_mm2.size();
+  const TeethVerdict verdict = judge_teeth(state.samples, count, model.joint.profile.length());
+  for (std::size_t i = 0; i < count; ++i) teeth.push_back(tooth_entry(model, state, verdict, i));
+  return {{"teeth_failed", teeth_failure_name(verdict.failure)},
+          {"first_tooth_to_fail", verdict.first ? Json(*verdict.first + 1) : Json()},
+          {"teeth", teeth},
+          {"closed_forms", closed_form_entries(model, state)}};
 }
 
 }  // namespace asperity

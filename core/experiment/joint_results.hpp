@@ -17,7 +17,8 @@ std::optional<ToothedJoint> toothed_joint(const RunConfig& config, const JointPr
 /// Closed forms of the strength beside the simulated peak and residual, for summary.json.
 nlohmann::ordered_json closed_form_entries(const Model& model, const RunState& state);
 
-/// What became of each tooth: when it was sheared off, and what its flanks bore at the peak; Eq. (E15).
+/// What became of each tooth: when it was sheared off, and what its flanks bore at the peak; and whether
+/// the teeth failed together or one after the other; Eqs. (E15)-(E17).
 nlohmann::ordered_json tooth_entries(const Model& model, const RunState& state);
 
 }  // namespace asperity

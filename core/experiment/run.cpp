@@ -77,7 +77,10 @@ double kinetic_ratio(const EnergyBalance& energy) {
 StopReason stop_reason(const Model& model, RunState& state) {
   const StopConfig& stop = model.config.experiment.stop;
   const Sample& last = state.samples.back();
-  if (last.axial_strain >= stop_strain(model.config)) return StopReason::strain;
+  const bool sheared = model.config.experiment.type == ExperimentType::direct_shear;
+  if (last.axial_strain >= stop_strain(model.config)) {
+    return sheared ? StopReason::shear_displacement : StopReason::strain;
+  }
   if (stop.time_s && last.time_s >= *stop.time_s) return StopReason::time;
   if (stop.fraction_of_peak && last.cracks_tension + last.cracks_shear > 0) {
     double peak = 0.0;

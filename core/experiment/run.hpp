@@ -28,7 +28,7 @@ struct RunObserver {
 };
 
 /// Why the loop ended.
-enum class StopReason : int { running, strain, fraction_of_peak, time, interrupted };
+enum class StopReason : int { running, strain, fraction_of_peak, time, shear_displacement, interrupted };
 
 /// Wall time spent on a run in all its sessions, s.
 struct RunCost {

@@ -179,6 +179,8 @@ std::string describe(StopReason reason) {
       return "fell below the stop fraction of the peak";
     case StopReason::time:
       return "reached the stop time";
+    case StopReason::shear_displacement:
+      return "reached the stop shear displacement";
     case StopReason::interrupted:
       return "interrupted";
   }

@@ -19,10 +19,14 @@ namespace {
 /// deepest overlap.
 constexpr double kDeepest = 0.75;
 
-constexpr const char* kStepHint =
-    "a time step above the stable one, or a loading rate the specimen cannot follow; lower integration.safety_factor "
-    "or "
-    "experiment.loading.closing_rate_mm_per_s";
+/// A joint between blocks has a shear rate, a specimen between platens a closing rate.
+const char* step_hint(const System& system) {
+  return system.blocks.empty()
+             ? "a time step above the stable one, or a loading rate the specimen cannot follow; lower "
+               "integration.safety_factor or experiment.loading.closing_rate_mm_per_s"
+             : "a time step above the stable one, or a shear rate the joint cannot follow; lower "
+               "integration.safety_factor or experiment.loading.shear_rate_mm_per_s";
+}
 
 constexpr double kNoEnergy = 1e-9;  // N mm per mm of thickness
 
@@ -47,8 +51,8 @@ void check_state(const System& system) {
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
     const double jacobian = deformation_gradient(p.shape(t), p.corners(t)).jacobian();
     const Vec2 place = p.reference(p.triangles[t][0]);
-    if (!std::isfinite(jacobian)) stop(system, place, "a position is not finite", kStepHint);
-    if (jacobian <= 0.0) stop(system, place, "a particle has turned over", kStepHint);
+    if (!std::isfinite(jacobian)) stop(system, place, "a position is not finite", step_hint(system));
+    if (jacobian <= 0.0) stop(system, place, "a particle has turned over", step_hint(system));
   }
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const ContactEdge& e = system.contacts.edges[c];
@@ -74,8 +78,8 @@ void check_energy(const System& system, const EnergyBalance& energy) {
   const double given = energy.external_work + std::max(0.0, energy.created_by_law);
   if (energy.kinetic <= given || energy.kinetic <= kNoEnergy) return;
   const Vec2 place = system.particles.reference(most_energetic_node(system.particles));
-  if (!std::isfinite(energy.kinetic)) stop(system, place, "a velocity is not finite", kStepHint);
-  stop(system, place, "kinetic energy exceeds the work done on the model", kStepHint);
+  if (!std::isfinite(energy.kinetic)) stop(system, place, "a velocity is not finite", step_hint(system));
+  stop(system, place, "kinetic energy exceeds the work done on the model", step_hint(system));
 }
 
 void check_all(const System& system, const ParallelLoops& loops) {

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-/// Parts of report pages as pure functions: text in, HTML out. A page needs no script, no network and no file but the
-/// pictures it links; it prints well and follows the reader's light or dark mode.
+/// Parts of report pages as pure functions: text in, HTML out. A page needs no network and no file but the pictures it
+/// links, and can be read without a script; it prints well and follows the reader's light or dark mode.
 namespace asperity::html {
 
 /// A piece of a page. Text becomes one by being escaped, so that none gets in unescaped by oversight.
@@ -70,8 +70,8 @@ struct Definition {
 };
 Markup definition_list(const std::vector<Definition>& entries);
 
-/// `head` cells name their row.
-enum class ColumnKind { head, text, number };
+/// `head` cells name their row; `prose` cells hold sentences and get room for them.
+enum class ColumnKind { head, text, prose, number };
 
 struct Column {
   Markup heading;
@@ -131,6 +131,7 @@ struct Page {
   std::vector<Markup> lead;  ///< Before the contents: what a reader must not miss.
   std::vector<Section> sections;
   Markup foot;
+  std::string_view script = {};  ///< Put into the page; what it does must be more than the page needs. Empty: none.
 };
 
 /// The page as a whole HTML document with a list of its sections.

@@ -50,6 +50,10 @@ std::string head_html(const Page& page) {
       escaped(page.title), style_sheet());
 }
 
+std::string script_html(std::string_view script) {
+  return script.empty() ? "" : fmt::format("<script>\n{}</script>\n", script);
+}
+
 }  // namespace
 
 std::string document(const Page& page) {
@@ -61,7 +65,7 @@ std::string document(const Page& page) {
          fmt::format("<body>\n<header>\n<h1>{}</h1>\n<p class=\"subtitle\">{}</p>\n</header>\n", escaped(page.title),
                      page.subtitle.html()) +
          lead + "<nav aria-label=\"Contents\">\n<ol>\n" + contents + "</ol>\n</nav>\n<main>\n" + body +
-         "</main>\n<footer>" + page.foot.html() + "</footer>\n</body>\n</html>\n";
+         "</main>\n<footer>" + page.foot.html() + "</footer>\n" + script_html(page.script) + "</body>\n</html>\n";
 }
 
 std::string_view style_sheet() {
@@ -106,6 +110,7 @@ tbody tr:last-child > * { border-bottom: 2px solid var(--ink); }
 tbody tr:nth-child(even) { background: var(--stripe); }
 tbody th { font-weight: 500; }
 td:not(.number) { min-width: 5rem; }
+td.prose { min-width: 22rem; }
 .number { text-align: right; white-space: nowrap; }
 .unit { font-weight: 400; color: var(--soft); }
 tr.good > :first-child { box-shadow: inset .3rem 0 var(--good); }
@@ -118,6 +123,26 @@ figure { margin: 1.5rem 0; break-inside: avoid; }
 img { display: block; max-width: 100%; height: auto; margin: 0 auto; background: #ffffff; border: 1px solid var(--line);
   border-radius: .3rem; }
 figcaption { color: var(--soft); margin-top: .5rem; max-width: 62rem; }
+[hidden] { display: none !important; }
+.controls { padding: .7rem 1rem .8rem; background: var(--stripe); border-radius: .4rem; }
+fieldset { border: 0; margin: 0 0 .5rem; padding: 0; }
+legend { float: left; margin-right: 1rem; font-weight: 600; }
+fieldset label { margin-right: 1rem; white-space: nowrap; }
+.slider { display: flex; gap: .6rem; align-items: center; }
+.slider input { flex: 1; min-width: 6rem; accent-color: var(--link); }
+button { font: inherit; color: var(--ink); background: var(--paper); border: 1px solid var(--soft); border-radius: .3rem;
+  padding: .15rem .7rem; min-width: 2.6rem; cursor: pointer; }
+:focus-visible { outline: 3px solid var(--link); outline-offset: 2px; }
+.state { margin: .8rem 0; max-width: none; font-weight: 600; font-variant-numeric: tabular-nums; }
+.viewed { display: grid; grid-template-columns: minmax(0, 5fr) minmax(16rem, 3fr); gap: 1.2rem; align-items: center; }
+.viewed svg { width: 100%; height: auto; }
+.viewed text { fill: var(--ink); font-family: inherit; }
+.viewed .grid { stroke: var(--line); stroke-width: 1; }
+.viewed .edge { fill: none; stroke: var(--soft); stroke-width: 1.2; }
+.viewed .curve { fill: none; stroke: var(--link); stroke-width: 2.2; stroke-linejoin: round; }
+.viewed .guide { stroke: var(--bad); stroke-width: 1.2; stroke-dasharray: 5 4; }
+.viewed .present { fill: var(--bad); stroke: var(--paper); stroke-width: 2; }
+@media (max-width: 52rem) { .viewed { grid-template-columns: minmax(0, 1fr); } }
 dt { font-weight: 600; margin-top: .9rem; }
 dd { margin: .15rem 0 0 1.5rem; }
 footer { margin-top: 4rem; padding-top: 1rem; border-top: 1px solid var(--line); color: var(--soft); font-size: .9rem; }
@@ -125,7 +150,7 @@ footer { margin-top: 4rem; padding-top: 1rem; border-top: 1px solid var(--line);
   :root { --paper: #ffffff; --ink: #000000; --soft: #333333; --line: #999999; --stripe: #f4f4f4; --link: #000000;
     --good: #0b6b4a; --good-fill: #ffffff; --bad: #a03c00; --bad-fill: #ffffff; --note: #00507d; --note-fill: #ffffff; }
   body { max-width: none; padding: 0; font-size: 10pt; }
-  nav { display: none; }
+  nav, .controls { display: none; }
   h2, h3, h4 { break-after: avoid; }
   .wide { overflow: visible; }
   table { font-size: 8.5pt; }

@@ -5,7 +5,10 @@
 namespace asperity::html {
 namespace {
 
-const char* class_of(ColumnKind kind) { return kind == ColumnKind::number ? " class=\"number\"" : ""; }
+const char* class_of(ColumnKind kind) {
+  if (kind == ColumnKind::prose) return " class=\"prose\"";
+  return kind == ColumnKind::number ? " class=\"number\"" : "";
+}
 
 const char* class_of(RowTone tone) {
   switch (tone) {

@@ -21,8 +21,9 @@ struct FolderDecision {
   std::string why;  ///< One clause for the log.
 };
 
-/// Plots that a run draws, each as PNG and SVG in plots/.
-inline constexpr std::array<std::string_view, 5> kPlotNames{"stress_strain", "shear_stress", "teeth", "energy", "cracks"};
+/// Plots that a run draws, each as PNG and, but for the strip, as SVG in plots/.
+inline constexpr std::array<std::string_view, 7> kPlotNames{"stress_strain", "shear_stress", "dilation", "teeth",
+                                                            "energy",        "cracks",       "strip"};
 
 /// outputs/NAME below the present folder. Throws Error(config) at /name where the name would leave outputs/.
 std::filesystem::path default_run_folder(const std::string& config_name);
@@ -70,6 +71,7 @@ class RunFolder {
   std::filesystem::path energy() const { return root_ / "energy.csv"; }
   std::filesystem::path crack_table() const { return root_ / "cracks.csv"; }
   std::filesystem::path events() const { return root_ / "events.csv"; }
+  std::filesystem::path measured_curve() const { return root_ / "measured.csv"; }
   std::filesystem::path field_series() const { return root_ / "fields.pvd"; }
   std::filesystem::path crack_series() const { return root_ / "cracks.pvd"; }
   std::filesystem::path contact_series() const { return root_ / "contacts.pvd"; }

@@ -1,12 +1,12 @@
 """`asperity report`: the page of a calibration, its pictures and what it needs (nothing). The two calibration.json under
 fixtures/calibration_report are made by the script beside them; no number of theirs was computed by a simulation."""
-import html.parser
 import json
 import pathlib
 import shutil
 import xml.etree.ElementTree as ElementTree
 
 import support
+from report_page import Page, check_self_contained
 from support import SCRATCH
 
 FIXTURES = pathlib.Path(__file__).resolve().parent / "fixtures" / "calibration_report"
@@ -16,39 +16,6 @@ SECTIONS = ["Outcome", "Parameters", "Elastic compensation", "Trade-off", "Failu
 PROPERTIES = ["youngs_modulus_gpa", "poissons_ratio", "tensile_strength_mpa", "uniaxial_strength_mpa", "cohesion_mpa", "friction_angle_deg"]
 ONE_PIXEL = bytes.fromhex("89504e470d0a1a0a0000000d4948445200000001000000010802000000907753de0000000c4944415408d763f8ffff3f0005fe02fe"
                           "dccc59e70000000049454e44ae426082")
-VOID = {"meta", "img", "br", "link"}
-
-
-class Page(html.parser.HTMLParser):
-    """What a page shows, and whether its elements are closed in order."""
-
-    def __init__(self, text):
-        super().__init__()
-        self.open, self.headings, self.images, self.links, self.words = [], [], [], [], ""
-        self.feed(text)
-        self.close()
-
-    def handle_starttag(self, tag, attributes):
-        if tag not in VOID:
-            self.open.append(tag)
-        if tag[0] == "h" and tag[1:].isdigit():
-            self.headings.append((int(tag[1:]), ""))
-        if tag == "img":
-            self.images.append(dict(attributes))
-        if tag == "a":
-            self.links.append(dict(attributes)["href"])
-
-    def handle_endtag(self, tag):
-        if self.open.pop() != tag:
-            raise ValueError(f"</{tag}> closes another element")
-
-    def handle_data(self, data):
-        if "style" in self.open:
-            return
-        self.words += data
-        if self.open and self.open[-1][0] == "h" and self.open[-1][1:].isdigit():
-            level, text = self.headings.pop()
-            self.headings.append((level, text + data))
 
 
 def folder_of(kind, name):
@@ -84,33 +51,13 @@ class Report(support.CommandLineTest):
         self.assertEqual(result.stdout, f"{folder}/report.html\n")
         text = (folder / "report.html").read_text(encoding="utf-8")
         page = Page(text)
-        self.assertEqual(page.open, [])
-        self.check_self_contained(folder, text, page)
+        self.assertNotIn("<script", text)
+        check_self_contained(self, folder, text, page)
         return page
-
-    def check_self_contained(self, folder, text, page):
-        """No script, no network, headings in order, an alternative text for every picture, and every link leads to a file."""
-        for word in ("http:", "https:", "<script", "javascript:", "@import", "url("):
-            self.assertNotIn(word, text)
-        levels = [level for level, _ in page.headings]
-        self.assertEqual(levels[0], 1)
-        self.assertEqual(levels.count(1), 1)
-        self.assertTrue(all(b <= a + 1 for a, b in zip(levels, levels[1:])), levels)
-        for image in page.images:
-            self.assertGreater(len(image["alt"]), 20, image)
-            self.assertTrue((folder / image["src"].replace("%20", " ")).is_file(), image)
-        for link in page.links:
-            if link.startswith("#"):
-                self.assertIn(f'id="{link[1:]}"', text)
-            elif not link.startswith("configs/"):
-                self.assertTrue((folder / link.replace("%20", " ")).is_file(), link)
-
-    def sections(self, page):
-        return [text for level, text in page.headings if level == 2]
 
     def test_a_simulated_calibration_has_every_section_and_plot(self):
         folder, page = self.whole, self.checked(self.whole, self.result)
-        self.assertEqual(self.sections(page), SECTIONS)
+        self.assertEqual(page.sections(), SECTIONS)
         plots = ["verification", "trade_off", "main_effects", "interactions", "predicted_against_simulated", "desirability_map", "targets_map"]
         plots += [f"{kind}_{name}" for kind in ("residuals", "response_surface") for name in PROPERTIES]
         self.assertEqual(sorted(p.name for p in (folder / "plots").iterdir()), sorted(f"{p}.{e}" for p in plots for e in ("png", "svg")))
@@ -143,7 +90,7 @@ class Report(support.CommandLineTest):
         self.assertIn("nothing was simulated, so nothing is verified", page.words)
         self.assertIn("The overall desirability is 0 everywhere", page.words)
         for absent in ("Parameters", "Elastic compensation", "Trade-off", "Failure mode", "The two routes"):
-            self.assertNotIn(absent, self.sections(page))
+            self.assertNotIn(absent, page.sections())
         self.assertFalse((folder / "plots" / "verification.png").exists())
         self.assertTrue((folder / "plots" / "response_surface_cohesion_mpa.png").exists())
 
@@ -174,8 +121,8 @@ class Report(support.CommandLineTest):
     def test_what_is_no_calibration_is_one_clear_error(self):
         empty = SCRATCH / "empty"
         empty.mkdir()
-        self.assertIn("holds no calibration.json", self.fail_with(3, "report", empty))
-        self.assertIn("reports of runs", self.fail_with(3, "report", empty))
+        self.assertIn("holds neither calibration.json nor a run", self.fail_with(3, "report", empty))
+        self.assertIn("reports of comparisons", self.fail_with(3, "report", empty))
         self.assertIn("is no folder", self.fail_with(3, "report", SCRATCH / "nowhere"))
         self.fail_with(2, "report")
 

@@ -15,6 +15,7 @@ FILES = [
     "curves.csv", "energy.csv", "cracks.csv", "events.csv", "fields.pvd", "cracks.pvd", "contacts.pvd",
 ]
 PLOTS = [f"plots/{name}.{kind}" for name in ("stress_strain", "energy", "cracks") for kind in ("png", "svg")]
+PLOTS += ["plots/strip.png", "report.html"]
 TEST_COLUMNS = ["time_s", "axial_strain", "axial_stress_mpa", "reaction_bottom_n", "reaction_top_n", "external_work_n_mm"]
 
 

@@ -1,4 +1,6 @@
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
 
 #include "core/config/applicability.hpp"
 #include "core/config/bindings.hpp"
@@ -10,6 +12,14 @@ using namespace asperity::test;
 using nlohmann::json;
 
 namespace {
+
+/// A measured curve must be there; what it holds is not the configuration's.
+std::filesystem::path folder_with_measured_file() {
+  const auto folder = std::filesystem::path(ASPERITY_TEST_SCRATCH) / "config";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "lab.csv") << "axial_strain,axial_stress_mpa\n0,0\n";
+  return folder;
+}
 
 /// A configuration in which every optional member is set and no member that has a meaning is at its default.
 RunConfig unusual() {
@@ -35,8 +45,8 @@ RunConfig unusual() {
     "measurement": {"samples": 500, "axial_gauge_mm": 50, "lateral_gauge_mm": 10,
       "modulus_window": [0.1, 0.30000000000000004], "peak_strain_limit": 0.01},
     "output": {"frames": 12, "fields": ["displacement", "shear_stress"], "width_px": 800, "height_px": 600,
-      "checkpoint_interval_s": 1}})",
-                          "x.json");
+      "checkpoint_interval_s": 1, "measured_curve": "lab.csv", "measured_name": "laboratory"}})",
+                          folder_with_measured_file() / "x.json");
 }
 
 RunConfig again(const RunConfig& config) { return parse_run_config(effective_json(config), "other name.json"); }
@@ -93,11 +103,13 @@ TEST_CASE("the hash changes with every key that a result may depend on") {
     RunConfig changed = unusual();
     json value = binding.write(triangles);
     if (value.is_null() && !applies(unusual(), binding.pointer)) continue;  // any value there would be refused
+    if (value.is_null() && binding.pointer.starts_with("/output/measured_")) value = "other";
     if (value.is_null()) value = binding.pointer.find("law") == std::string::npos ? json(0.125) : json();
     if (value.is_null()) value = binding.pointer.ends_with("shear_peak") ? "cohesion" : "k_t";
     binding.read(changed, value);
     const bool changes_no_result = binding.pointer == "/name" || binding.pointer == "/description" ||
-                                   binding.pointer == "/output/checkpoint_interval_s";
+                                   binding.pointer == "/output/checkpoint_interval_s" ||
+                                   binding.pointer.starts_with("/output/measured_");
     const bool relevant = !changes_no_result && applies(unusual(), binding.pointer);
     CHECK((config_hash(changed) != base) == relevant);
   }

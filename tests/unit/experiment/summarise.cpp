@@ -170,5 +170,6 @@ TEST_CASE("every reason to stop has its words") {
   CHECK(describe(StopReason::strain) == "reached the stop strain");
   CHECK(describe(StopReason::fraction_of_peak) == "fell below the stop fraction of the peak");
   CHECK(describe(StopReason::time) == "reached the stop time");
+  CHECK(describe(StopReason::shear_displacement) == "reached the stop shear displacement");
   CHECK(describe(StopReason::interrupted) == "interrupted");
 }

@@ -62,7 +62,9 @@ TEST_CASE("the guards name what went wrong and where") {
   system.particles.position[0].x = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_WITH(check_state(system), Catch::Contains("not finite") && Catch::Contains("step 0"));
   system.particles.position[0] = good + Vec2{50.0, 50.0};
-  CHECK_THROWS_WITH(check_state(system), Catch::Contains("turned over"));
+  CHECK_THROWS_WITH(check_state(system), Catch::Contains("turned over") && Catch::Contains("closing_rate_mm_per_s"));
+  system.blocks.emplace_back();
+  CHECK_THROWS_WITH(check_state(system), Catch::Contains("turned over") && Catch::Contains("shear_rate_mm_per_s"));
   system.particles.position[0] = good;
   test::change_points(system.contacts, 0, [&](PointState& s) { s.normal = -0.6 * system.contacts.edges[0].length; });
   CHECK_THROWS_WITH(check_state(system), Catch::Contains("overlap"));

@@ -225,6 +225,7 @@ TEST_CASE("files of a run are known by their exact names") {
   CHECK(is_run_file("frames/cracks_000012.png"));
   CHECK(is_run_file("contacts/contacts_000012.vtu"));
   CHECK(is_run_file("contacts.pvd"));
+  CHECK(is_run_file("measured.csv"));
   CHECK(is_run_file("plots/stress_strain.svg"));
   CHECK(is_run_file("fields.pvd.tmp"));
   CHECK_FALSE(is_run_file("frames/cracks_12.png"));
