@@ -114,7 +114,9 @@ std::optional<html::Markup> run_figure(const RunContext& context, const std::str
 std::string frame_text(const RunContext& context, const RunFrame& frame) {
   if (context.sheared())
     return fmt::format("shear displacement {:.3f} mm, shear stress {:.2f} MPa", frame.abscissa, frame.stress_mpa);
-  return fmt::format("axial strain {:.3f} %, stress {:.2f} MPa", frame.abscissa, frame.stress_mpa);
+  const bool disc = context.config.experiment.type == ExperimentType::brazilian;
+  return fmt::format("{} {:.3f} %, stress {:.2f} MPa", disc ? "closure / diameter" : "axial strain", frame.abscissa,
+                     frame.stress_mpa);
 }
 
 html::Section pictures_section(const RunContext& context) {
