@@ -14,7 +14,8 @@ MeasuredCopy measured_copy(const RunConfig& config) {
   return {true, read_file(*config.output.measured_curve)};
 }
 
-void write_configs(const RunFolder& folder, RunConfig config, const std::string& original, const MeasuredCopy& measured) {
+void write_configs(const RunFolder& folder, RunConfig config, const std::string& original,
+                   const MeasuredCopy& measured) {
   write_file_atomically(folder.original_config(), original);
   if (measured.given) {
     write_file_atomically(folder.measured_curve(), measured.text);

@@ -76,7 +76,8 @@ std::vector<RunFrame> telling_frames(const std::vector<RunFrame>& frames, const 
   const std::size_t peak = peak_row(stresses), fallen = end_of_largest_fall(stresses, peak);
   const double end = abscissae.back();
   std::vector<RunFrame> left = frames, chosen;
-  for (const double wanted : {end, abscissae[peak], abscissae[fallen], 0.5 * abscissae[peak], 0.5 * (abscissae[fallen] + end)}) {
+  for (const double wanted :
+       {end, abscissae[peak], abscissae[fallen], 0.5 * abscissae[peak], 0.5 * (abscissae[fallen] + end)}) {
     const auto nearest = std::min_element(left.begin(), left.end(), [&](const RunFrame& a, const RunFrame& b) {
       return std::abs(a.abscissa - wanted) < std::abs(b.abscissa - wanted);
     });

@@ -145,16 +145,14 @@ void plot_energy(const CsvData& energy, const Abscissa& abscissa, const std::fil
   plot.title = "Energy account";
   plot.x_label = abscissa.label;
   plot.y_label = "energy [N mm]";
-  plot.series = {area("elastic, particles", "elastic_n_mm"),
-                 area("recoverable, contacts", "recoverable_n_mm"),
-                 area("fracture", "fracture_n_mm"),
-                 area("friction", "friction_n_mm"),
-                 area("damping", "damping_n_mm"),
-                 area("kinetic", "kinetic_n_mm"),
-                 {"external work",
-                  strain,
-                  energy.numbers("external_work_n_mm"),
-                  {SeriesKind::line, VerticalAxis::left, 0}}};
+  plot.series = {
+      area("elastic, particles", "elastic_n_mm"),
+      area("recoverable, contacts", "recoverable_n_mm"),
+      area("fracture", "fracture_n_mm"),
+      area("friction", "friction_n_mm"),
+      area("damping", "damping_n_mm"),
+      area("kinetic", "kinetic_n_mm"),
+      {"external work", strain, energy.numbers("external_work_n_mm"), {SeriesKind::line, VerticalAxis::left, 0}}};
   render::write_plot(plot, path);
 }
 
@@ -172,10 +170,7 @@ void plot_cracks(const CsvData& curves, ExperimentType type, const std::filesyst
   plot.series = {{"tension", strain, tension, {}},
                  {"shear", strain, shear, {}},
                  {"all", strain, sum(tension, shear), {}},
-                 {"stress",
-                  strain,
-                  curves.numbers(stress_column(type)),
-                  {SeriesKind::line, VerticalAxis::right, {}}}};
+                 {"stress", strain, curves.numbers(stress_column(type)), {SeriesKind::line, VerticalAxis::right, {}}}};
   render::write_plot(plot, path);
 }
 

@@ -12,8 +12,8 @@ namespace asperity::render {
 namespace {
 
 constexpr double kMargin = 24, kGap = 20, kCaptionRow = 52, kScaleBarRow = 72;  // pixels
-constexpr double kUnit = 0.75;                                                  // line widths, of the standard picture's
-constexpr double kTallest = 1.6;                                                // of a panel, of its width
+constexpr double kUnit = 0.75;    // line widths, of the standard picture's
+constexpr double kTallest = 1.6;  // of a panel, of its width
 
 void draw_panel(Drawing& drawing, const StripPanel& panel, Field field, const Box& room) {
   PictureOptions options;
@@ -24,8 +24,13 @@ void draw_panel(Drawing& drawing, const StripPanel& panel, Field field, const Bo
   view.beside = 0.4 * kGap;
   draw_specimen(drawing, panel.frame, options, view, kUnit);
   const double size = fitting_size(panel.caption, style::kLabelSize, Weight::regular, room.width());
-  drawing.shapes.push_back(Text{{room.centre().x, room.bottom + kCaptionRow - 12}, panel.caption, size, Anchor::centre,
-                                Weight::regular, Direction::across, style::kInk});
+  drawing.shapes.push_back(Text{{room.centre().x, room.bottom + kCaptionRow - 12},
+                                panel.caption,
+                                size,
+                                Anchor::centre,
+                                Weight::regular,
+                                Direction::across,
+                                style::kInk});
 }
 
 /// As high as the specimen is at the panel's full width.

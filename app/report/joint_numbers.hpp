@@ -31,15 +31,15 @@ struct JointNumbers {
   double normal_mpa = 0, length_mm = 0, edge_mm = 0;
   std::optional<double> shear_fracture_energy_n_per_mm;
   double peak_mpa = 0, peak_mm = 0, residual_mpa = 0, end_mm = 0;
-  double dilation_rate = 0;           ///< Before the peak, Eq. (E14).
+  double dilation_rate = 0;  ///< Before the peak, Eq. (E14).
   double normal_at_peak_mpa = 0;
-  double leading_share_at_peak = 0;   ///< Of the shear stress: what the teeth's leading flanks bear.
+  double leading_share_at_peak = 0;  ///< Of the shear stress: what the teeth's leading flanks bear.
   int softening_at_peak = 0;
   BrokenNumbers at_peak, at_end;
-  double last_quarter_slope = 0;      ///< Rise of the upper half over displacement.
+  double last_quarter_slope = 0;  ///< Rise of the upper half over displacement.
   int last_quarter_cracks = 0;
-  std::string teeth_failed;           ///< Eq. (E17)
-  std::optional<std::size_t> first;   ///< Tooth that failed first.
+  std::string teeth_failed;          ///< Eq. (E17)
+  std::optional<std::size_t> first;  ///< Tooth that failed first.
   std::vector<ToothNumbers> teeth;
   ToothedJoint joint;
   JointStrength forms;

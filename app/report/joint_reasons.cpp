@@ -51,17 +51,17 @@ std::string on_its_own_slope(const JointNumbers& n) {
 std::string mobilised(const JointNumbers& n, double base_mm) {
   const double left = (n.peak_mpa - friction_mpa(n.normal_mpa, n.joint.friction_deg)) * n.length_mm / base_mm;
   return fmt::format("Less the rock's friction of {}, the peak leaves {} on the base, {:.0f} % of C = {}. ",
-                     mpa(friction_mpa(n.normal_mpa, n.joint.friction_deg)), mpa(left), 100 * left / n.joint.cohesion_mpa,
-                     mpa(n.joint.cohesion_mpa));
+                     mpa(friction_mpa(n.normal_mpa, n.joint.friction_deg)), mpa(left),
+                     100 * left / n.joint.cohesion_mpa, mpa(n.joint.cohesion_mpa));
 }
 
 /// Whether the rock failed bit by bit before the peak.
 std::string progressive(const JointNumbers& n, double base_mm) {
   if (n.softening_at_peak == 0 && n.at_peak.length_mm == 0) return "";
-  const std::string broken = n.at_peak.length_mm == 0
-                                 ? "no contact had broken yet"
-                                 : fmt::format("contacts of {} in all had broken ({:.0f} % of the base's {})",
-                                               mm(n.at_peak.length_mm), 100 * n.at_peak.length_mm / base_mm, mm(base_mm));
+  const std::string broken =
+      n.at_peak.length_mm == 0 ? "no contact had broken yet"
+                               : fmt::format("contacts of {} in all had broken ({:.0f} % of the base's {})",
+                                             mm(n.at_peak.length_mm), 100 * n.at_peak.length_mm / base_mm, mm(base_mm));
   std::string text = fmt::format(
       "At the peak {} and {} were softening: the cohesion is not borne all along at once, as the closed form has it. ",
       broken, n.softening_at_peak);
@@ -82,7 +82,8 @@ std::string plane_of_cracks(const JointNumbers& n) {
     text = fmt::format("The broken contacts are spread by ± {} about the base's plane: they are not one plane. ",
                        mm(b.height_sd_mm));
   if (b.tension_share > 0.1)
-    text += fmt::format("{:.0f} % of their length broke in tension, where C and φ are not asked. ", 100 * b.tension_share);
+    text +=
+        fmt::format("{:.0f} % of their length broke in tension, where C and φ are not asked. ", 100 * b.tension_share);
   return text;
 }
 
@@ -126,7 +127,8 @@ std::string why_sliding(const JointNumbers& n) {
 std::string why_shearing(const JointNumbers& n) {
   const ToothStage& s = n.forms.stages.front();
   if (!n.first)
-    return fmt::format("No tooth was sheared off up to {}, so that the base's strength was not reached. ", mm(n.end_mm)) +
+    return fmt::format("No tooth was sheared off up to {}, so that the base's strength was not reached. ",
+                       mm(n.end_mm)) +
            (n.peak_mpa > s.base_shear_mpa ? mobilised(n, s.group.base_mm) : "");
   if (agrees(n.peak_mpa, s.base_shear_mpa)) return agreement(n.peak_mpa, s.base_shear_mpa);
   return why_below_or_above(n, s.base_shear_mpa, s.group.base_mm);
@@ -150,8 +152,9 @@ std::string why_staggered(const JointNumbers& n) {
   const double largest = n.teeth[*n.first].most_mpa;
   return fmt::format("{}, having borne at most {} of the shear stress on its leading flank; alone it should bear {}. ",
                      capital(first_failure(n)), mpa(largest), mpa(s.strength_mpa)) +
-         (agrees(n.peak_mpa, n.forms.staged_peak_mpa) ? agreement(n.peak_mpa, n.forms.staged_peak_mpa)
-                                                      : why_below_or_above(n, n.forms.staged_peak_mpa, s.group.base_mm));
+         (agrees(n.peak_mpa, n.forms.staged_peak_mpa)
+              ? agreement(n.peak_mpa, n.forms.staged_peak_mpa)
+              : why_below_or_above(n, n.forms.staged_peak_mpa, s.group.base_mm));
 }
 
 std::string why_ladanyi(const JointNumbers& n) {
@@ -159,7 +162,8 @@ std::string why_ladanyi(const JointNumbers& n) {
   double base = 0;
   for (const ToothNumbers& t : n.teeth) base += t.base_mm;
   return fmt::format(
-      "It takes {:.0f} % of the plan area as sheared, at the intact rock's {}, and the rest as sliding with a dilation of "
+      "It takes {:.0f} % of the plan area as sheared, at the intact rock's {}, and the rest as sliding with a dilation "
+      "of "
       "{} mm per mm; simulated before the peak: {}. The teeth cover {:.0f} % of the plan area{}. ",
       100 * l.sheared_area, mpa(l.intact_mpa), decimals(l.dilation_slope, 3), decimals(n.dilation_rate, 3),
       100 * base / n.length_mm, n.first ? "" : ", and none was sheared off");
@@ -183,7 +187,8 @@ std::string residual_state(const JointNumbers& n) {
 /// What friction of this angle makes on the slope that the upper half moved along in the last quarter.
 std::string on_last_slope(const JointNumbers& n, const char* whose, double angle_deg, double predicted) {
   const double slope = slope_deg(n.last_quarter_slope);
-  return fmt::format("On that slope the {} friction makes {}. ", whose, mpa(friction_mpa(n.normal_mpa, angle_deg + slope))) +
+  return fmt::format("On that slope the {} friction makes {}. ", whose,
+                     mpa(friction_mpa(n.normal_mpa, angle_deg + slope))) +
          (agrees(n.residual_mpa, predicted) ? agreement(n.residual_mpa, predicted) : "");
 }
 
@@ -192,8 +197,9 @@ std::string why_residual(const JointNumbers& n) {
   text += fmt::format("The residual is a friction of {}. Over the last quarter the upper half {} by {} mm per mm",
                       degrees(slope_deg(n.residual_mpa / n.normal_mpa)), n.last_quarter_slope < 0 ? "sank" : "rose",
                       decimals(std::abs(n.last_quarter_slope), 3));
-  text += n.last_quarter_cracks > 0 ? fmt::format(", and {} more contacts broke: rubble is still being ground. ", n.last_quarter_cracks)
-                                    : ". ";
+  text += n.last_quarter_cracks > 0
+              ? fmt::format(", and {} more contacts broke: rubble is still being ground. ", n.last_quarter_cracks)
+              : ". ";
   return text + on_last_slope(n, "joint's", n.joint.joint_friction_deg, n.forms.residual_low_mpa);
 }
 
@@ -203,7 +209,8 @@ std::string why_transition(const JointNumbers& n) {
   const bool sheared = n.first.has_value();
   return fmt::format("The applied normal stress is {} it: the steepest teeth should {}. In the simulation {}, {}. ",
                      n.normal_mpa > s.transition_mpa ? "above" : "below", shears ? "shear" : "slide",
-                     sheared ? first_failure(n) : "none was sheared off", shears == sheared ? "as predicted" : "against it");
+                     sheared ? first_failure(n) : "none was sheared off",
+                     shears == sheared ? "as predicted" : "against it");
 }
 
 }  // namespace
@@ -219,8 +226,10 @@ std::vector<FormBeside> forms_beside(const JointNumbers& n) {
     all.push_back({"teeth one after the other", "C71", n.forms.staged_peak_mpa, n.peak_mpa, "peak", why_staggered(n)});
     all.push_back({"all teeth at once", "C70", n.forms.together_mpa, n.peak_mpa, "peak", why_together(n)});
   }
-  all.push_back({"Ladanyi & Archambault", "C66", n.forms.ladanyi_archambault.shear_mpa, n.peak_mpa, "peak", why_ladanyi(n)});
-  all.push_back({"residual, joint's friction", "C69", n.forms.residual_low_mpa, n.residual_mpa, "residual", why_residual(n)});
+  all.push_back(
+      {"Ladanyi & Archambault", "C66", n.forms.ladanyi_archambault.shear_mpa, n.peak_mpa, "peak", why_ladanyi(n)});
+  all.push_back(
+      {"residual, joint's friction", "C69", n.forms.residual_low_mpa, n.residual_mpa, "residual", why_residual(n)});
   all.push_back({"residual, rock's friction", "C69", n.forms.residual_high_mpa, n.residual_mpa, "residual",
                  "As above. " + on_last_slope(n, "rock's", n.joint.friction_deg, n.forms.residual_high_mpa)});
   return all;

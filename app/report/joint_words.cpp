@@ -62,7 +62,8 @@ std::string gap_of_flatter(const JointNumbers& n, std::size_t flat, const CurveP
       mm(p.displacement), mm(p.dilation), degrees(steep_angle), mm(rigid), degrees(flat_angle), tooth_name(n, flat),
       mm(needed));
   text += fmt::format(
-      "{} of the displacement did not lift the half: slip on the joint's spring, and what the flanks and the halves give "
+      "{} of the displacement did not lift the half: slip on the joint's spring, and what the flanks and the halves "
+      "give "
       "way; from {} on that keeps the flatter flanks closed. ",
       mm(slip), mm(least_slip));
   return text + (p.dilation > needed ? fmt::format("They stood {} open.", mm(p.dilation - needed))
@@ -77,10 +78,12 @@ std::string bearing_of_flatter(const JointNumbers& n, std::size_t flat, const Cs
   std::size_t bearing = 0;
   for (const double f : force) bearing += f > least ? 1 : 0;
   const auto last = std::find_if(force.rbegin(), force.rend(), [&](double f) { return f > least; });
-  if (last == force.rend()) return fmt::format("Its leading flank never bore {:.0f} % of the normal force.", 100 * kBears);
+  if (last == force.rend())
+    return fmt::format("Its leading flank never bore {:.0f} % of the normal force.", 100 * kBears);
   const auto first = std::find_if(force.begin(), force.end(), [&](double f) { return f > least; });
   return fmt::format(
-      "Its leading flank bore more than {:.0f} % of the normal force in {:.0f} % of all samples, first at {}, last at {}.",
+      "Its leading flank bore more than {:.0f} % of the normal force in {:.0f} % of all samples, first at {}, last at "
+      "{}.",
       100 * kBears, 100.0 * static_cast<double>(bearing) / static_cast<double>(force.size()),
       mm(u[static_cast<std::size_t>(first - force.begin())]), mm(u[static_cast<std::size_t>(force.rend() - last) - 1]));
 }
@@ -134,10 +137,11 @@ std::vector<std::string> teeth_story(const JointNumbers& n, const CsvData& curve
     if (n.teeth[k].angle_deg > n.teeth[steep].angle_deg - 0.01) continue;
     story.push_back(gap_of_flatter(n, k, at) + " " + bearing_of_flatter(n, k, curves));
   }
-  story.push_back(fmt::format(
-      "The upper half's block cannot rotate, so that rotation neither opens nor closes a flank; its front end stood at {}, "
-      "its rear end at {} then, which is the half's own bending.",
-      mm(at.front), mm(at.rear)));
+  story.push_back(
+      fmt::format("The upper half's block cannot rotate, so that rotation neither opens nor closes a flank; its front "
+                  "end stood at {}, "
+                  "its rear end at {} then, which is the half's own bending.",
+                  mm(at.front), mm(at.rear)));
   return story;
 }
 

@@ -25,8 +25,8 @@ std::string capital(std::string text);
 /// there must be.
 std::string unequal_loads(const JointNumbers& numbers);
 
-/// Whether two or more teeth failed together or one after the other, and what opened or closed the flatter ones' flanks:
-/// one sentence or more an entry. `curves` is the run's curves.csv.
+/// Whether two or more teeth failed together or one after the other, and what opened or closed the flatter ones'
+/// flanks: one sentence or more an entry. `curves` is the run's curves.csv.
 std::vector<std::string> teeth_story(const JointNumbers& numbers, const CsvData& curves);
 
 }  // namespace asperity::app

@@ -47,7 +47,10 @@ html::SmallCurve small_curve(const RunContext& context) {
   const Abscissa abscissa = abscissa_of(type);
   const std::vector<double> x = abscissae(context.curves, abscissa);
   const std::vector<double> y = context.curves.numbers(stress_column(type));
-  html::SmallCurve curve{small_axis(x, abscissa.label), small_axis(y, stress_label(type)), {}, {},
+  html::SmallCurve curve{small_axis(x, abscissa.label),
+                         small_axis(y, stress_label(type)),
+                         {},
+                         {},
                          "The run's curve with the shown frame's point on it."};
   for (const std::size_t row : telling_rows(y)) {
     curve.x_values.push_back(x[row]);
@@ -81,9 +84,9 @@ std::vector<html::PictureKind> picture_kinds(const RunContext& context) {
 html::Markup viewer(const RunContext& context, std::vector<html::PictureKind> kinds) {
   html::FrameViewer viewer{std::move(kinds), {}, 0, small_curve(context)};
   for (const RunFrame& frame : context.frames)
-    viewer.frames.push_back({frame.abscissa, frame.stress_mpa,
-                             fmt::format("Frame {} of {}: {}", frame.number + 1, context.frames.size(),
-                                         frame_text(context, frame))});
+    viewer.frames.push_back(
+        {frame.abscissa, frame.stress_mpa,
+         fmt::format("Frame {} of {}: {}", frame.number + 1, context.frames.size(), frame_text(context, frame))});
   const std::vector<std::string>& sources = viewer.kinds.front().sources;
   for (std::size_t i = 0; i < sources.size(); ++i)
     if (!sources[i].empty()) viewer.shown = i;
@@ -111,25 +114,30 @@ std::optional<html::Markup> run_figure(const RunContext& context, const std::str
 std::string frame_text(const RunContext& context, const RunFrame& frame) {
   if (context.sheared())
     return fmt::format("shear displacement {:.3f} mm, shear stress {:.2f} MPa", frame.abscissa, frame.stress_mpa);
-  return fmt::format("axial strain {:.3f} %, stress {:.2f} MPa", frame.abscissa, frame.stress_mpa);
+  const bool disc = context.config.experiment.type == ExperimentType::brazilian;
+  return fmt::format("{} {:.3f} %, stress {:.2f} MPa", disc ? "closure / diameter" : "axial strain", frame.abscissa,
+                     frame.stress_mpa);
 }
 
 html::Section pictures_section(const RunContext& context) {
   html::Section section{"Pictures", {}, {}};
-  if (const auto strip = run_figure(
-          context, "strip",
-          "Five pictures of the specimen with its cracks, side by side in the order of time; what each is of stands under it.",
-          "Cracks at half the way to the peak, the peak, the end of the largest fall behind it, half way from there on and the "
-          "end, as near as frames were taken. Blue: broken in tension; vermilion with a white core: in shear; thin purple: "
-          "softening."))
+  if (const auto strip = run_figure(context, "strip",
+                                    "Five pictures of the specimen with its cracks, side by side in the order of time; "
+                                    "what each is of stands under it.",
+                                    "Cracks at half the way to the peak, the peak, the end of the largest fall behind "
+                                    "it, half way from there on and the "
+                                    "end, as near as frames were taken. Blue: broken in tension; vermilion with a "
+                                    "white core: in shear; thin purple: "
+                                    "softening."))
     section.parts.push_back(*strip);
   if (std::vector<html::PictureKind> kinds = picture_kinds(context); !kinds.empty()) {
-    section.parts.push_back(
-        html::paragraph("Every frame: choose the kind of picture, then move the slider with the mouse or the arrow keys."));
+    section.parts.push_back(html::paragraph(
+        "Every frame: choose the kind of picture, then move the slider with the mouse or the arrow keys."));
     section.parts.push_back(viewer(context, std::move(kinds)));
   } else {
-    section.parts.push_back(html::notice(
-        html::NoticeKind::information, "No pictures of frames were drawn; asperity render draws them, asperity report the page."));
+    section.parts.push_back(
+        html::notice(html::NoticeKind::information,
+                     "No pictures of frames were drawn; asperity render draws them, asperity report the page."));
   }
   return section;
 }
@@ -144,7 +152,8 @@ html::Section curves_section(const RunContext& context) {
   add("shear_stress", "Shear stress, normal stress and dilation over the shear displacement.",
       "Shear and normal stress on the joint's plan area (left) and dilation (right)." + measured);
   add("dilation", "Rise of the upper half, of its front and of its rear end over the shear displacement.",
-      "Dilation of the upper block, and of the upper half's front end (towards which the lower half moves) and rear end." +
+      "Dilation of the upper block, and of the upper half's front end (towards which the lower half moves) and rear "
+      "end." +
           measured);
   add("cracks", "Number of contacts broken in tension, in shear and in all, and the stress, over the test.",
       "Broken contacts by mode, with the stress.");

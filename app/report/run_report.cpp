@@ -27,9 +27,7 @@ class OptionalDocument {
   std::optional<Document> document_;
 };
 
-CsvData table_or_empty(const fs::path& path) {
-  return fs::exists(path) ? read_csv(path) : parse_csv("time_s\n", path);
-}
+CsvData table_or_empty(const fs::path& path) { return fs::exists(path) ? read_csv(path) : parse_csv("time_s\n", path); }
 
 std::string experiment_title(ExperimentType type) {
   switch (type) {
@@ -56,9 +54,9 @@ html::Markup subtitle(const RunContext& c) {
 
 std::vector<html::Section> sections(const RunContext& context) {
   std::vector<html::Section> all;
-  for (const auto part : {results_section, pictures_section, curves_section, teeth_section, closed_forms_section,
-                          failure_mode_section, energy_section, events_section, run_cost_section,
-                          run_provenance_section}) {
+  for (const auto part :
+       {results_section, pictures_section, curves_section, teeth_section, closed_forms_section, failure_mode_section,
+        energy_section, events_section, run_cost_section, run_provenance_section}) {
     html::Section section = part(context);
     if (!section.parts.empty() || !section.sections.empty()) all.push_back(std::move(section));
   }
@@ -74,14 +72,19 @@ bool is_run_folder(const fs::path& folder) {
 fs::path write_run_report(const fs::path& folder) {
   const OptionalDocument summary(folder / "summary.json");
   const Document manifest(folder / "manifest.json");
-  RunContext context{folder,          read_run_config(folder / "config.effective.json"),
-                     summary.root(),  manifest.root(),
-                     table_or_empty(folder / "curves.csv"), {}, {}};
+  RunContext context{folder,
+                     read_run_config(folder / "config.effective.json"),
+                     summary.root(),
+                     manifest.root(),
+                     table_or_empty(folder / "curves.csv"),
+                     {},
+                     {}};
   context.frames = run_frames(folder, context.curves, context.config.experiment.type);
   if (context.sheared() && fs::exists(folder / "cracks.csv"))
     context.joint = joint_numbers(context.config, context.summary, context.curves, read_csv(folder / "cracks.csv"));
-  html::Page page{"Run " + context.config.name, subtitle(context), run_warnings(context), sections(context),
-                  "Page made by Asperity " + std::string(build_info().version) + ", revision " + build_info().revision + "."};
+  html::Page page{
+      "Run " + context.config.name, subtitle(context), run_warnings(context), sections(context),
+      "Page made by Asperity " + std::string(build_info().version) + ", revision " + build_info().revision + "."};
   page.script = html::frame_viewer_script();
   const fs::path report = folder / "report.html";
   write_file_atomically(report, html::document(page));

@@ -30,8 +30,8 @@ html::Row quantity_row(const std::string& key, const Value& value) {
 
 /// The energies that the external work went to, in the order of the account.
 std::vector<std::string> energy_keys() {
-  return {"elastic_n_mm",  "recoverable_contacts_n_mm", "fracture_n_mm",
-          "friction_n_mm", "damping_n_mm",              "kinetic_n_mm"};
+  return {"elastic_n_mm", "recoverable_contacts_n_mm", "fracture_n_mm", "friction_n_mm", "damping_n_mm",
+          "kinetic_n_mm"};
 }
 
 std::string energy_name(const std::string& key) {
@@ -41,10 +41,11 @@ std::string energy_name(const std::string& key) {
 }
 
 Markup energy_table(const Value& energy) {
-  html::Table table{"Where the external work went at the end. Each term comes from its own formula; what is open is told, "
-                    "not spread.",
-                    {{"Energy", {}, ColumnKind::head}, {"Amount", "N mm"}, {"Share of the work", "%"}},
-                    {}};
+  html::Table table{
+      "Where the external work went at the end. Each term comes from its own formula; what is open is told, "
+      "not spread.",
+      {{"Energy", {}, ColumnKind::head}, {"Amount", "N mm"}, {"Share of the work", "%"}},
+      {}};
   const double work = energy["external_work_n_mm"].number();
   const auto add = [&](const std::string& name, double amount) {
     table.rows.push_back({{name, html::number(amount), html::fixed(100 * amount / work, 2)}});
@@ -63,7 +64,8 @@ Markup closure_sentence(const Value& energy) {
 
 html::Row moment_row(const std::string& key, const Value& half, const Value& end) {
   const Quantity quantity = quantity_of(key);
-  return {{quantity.name, half.exists() ? value_markup(half[key]) : Markup("–"), value_markup(end[key]), quantity.unit}};
+  return {
+      {quantity.name, half.exists() ? value_markup(half[key]) : Markup("–"), value_markup(end[key]), quantity.unit}};
 }
 
 Markup joined_words(const Value& value) {
@@ -82,8 +84,8 @@ std::vector<Markup> run_warnings(const RunContext& context) {
   std::vector<Markup> notices;
   const std::string outcome = context.manifest["outcome"].text();
   if (outcome != "finished")
-    notices.push_back(html::notice(html::NoticeKind::warning,
-                                   "This run is not finished (" + outcome + "): " + context.manifest["exit_reason"].text()));
+    notices.push_back(html::notice(html::NoticeKind::warning, "This run is not finished (" + outcome +
+                                                                  "): " + context.manifest["exit_reason"].text()));
   for (const Value& warning : context.summary["warnings"].items())
     notices.push_back(html::notice(html::NoticeKind::warning, page_text(warning.words())));
   return notices;
@@ -113,11 +115,13 @@ html::Section failure_mode_section(const RunContext& context) {
   html::Section section{"Failure mode", {}, {}};
   const Value failure = context.summary["failure_mode"], half = failure["at_half_peak"], end = failure["at_end"];
   if (!end.exists()) return section;
-  const std::string when = half.exists() ? half["verdict"].words() + " when the stress had first fallen to half its peak; " : "";
+  const std::string when =
+      half.exists() ? half["verdict"].words() + " when the stress had first fallen to half its peak; " : "";
   section.parts.push_back(html::paragraph("Verdict: " + when + end["verdict"].words() + " at the end."));
-  html::Table table{"What had broken; angles from the loading axis, shares of crack length at rest.",
-                    {{"Measure", {}, ColumnKind::head}, {"At half the peak"}, {"At the end"}, {"Unit", {}, ColumnKind::text}},
-                    {}};
+  html::Table table{
+      "What had broken; angles from the loading axis, shares of crack length at rest.",
+      {{"Measure", {}, ColumnKind::head}, {"At half the peak"}, {"At the end"}, {"Unit", {}, ColumnKind::text}},
+      {}};
   for (const auto& [key, value] : end.entries())
     if (key != "verdict") table.rows.push_back(moment_row(key, half, end));
   section.parts.push_back(html::table(table));
@@ -127,8 +131,10 @@ html::Section failure_mode_section(const RunContext& context) {
 html::Section energy_section(const RunContext& context) {
   html::Section section{"Energy", {}, {}};
   const Value energy = context.summary["energy"];
-  if (const auto figure = run_figure(context, "energy", "The energies stacked one on another over the curve's abscissa, and the external work as a line over them.",
-                                     "Energy account: the stack's upper edge and the line of the external work coincide where it is closed."))
+  if (const auto figure = run_figure(
+          context, "energy",
+          "The energies stacked one on another over the curve's abscissa, and the external work as a line over them.",
+          "Energy account: the stack's upper edge and the line of the external work coincide where it is closed."))
     section.parts.push_back(*figure);
   if (!energy.exists()) return section;
   section.parts.push_back(energy_table(energy));
@@ -144,9 +150,10 @@ html::Section events_section(const RunContext& context) {
   const std::vector<double> energies = events.numbers("energy_n_mm"), cracks = events.numbers("cracks");
   const auto largest = static_cast<std::size_t>(std::max_element(energies.begin(), energies.end()) - energies.begin());
   section.parts.push_back(html::paragraph(
-      Markup(fmt::format("Cracks near in space and time make {} {}. The largest by fracture energy has {:.0f} {} and took ",
-                         events.rows(), events.rows() == 1 ? "event" : "events", cracks[largest],
-                         cracks[largest] == 1 ? "crack" : "cracks")) +
+      Markup(fmt::format(
+          "Cracks near in space and time make {} {}. The largest by fracture energy has {:.0f} {} and took ",
+          events.rows(), events.rows() == 1 ? "event" : "events", cracks[largest],
+          cracks[largest] == 1 ? "crack" : "cracks")) +
       html::number(energies[largest], 3) + " N mm, " + html::number(1e3 * events.numbers("time_s")[largest]) +
       " ms after the start. " + file_link(context, "events.csv") + " has them all."));
   return section;
@@ -159,7 +166,8 @@ html::Section run_cost_section(const RunContext& context) {
   const Value render = context.manifest["timings"]["render_s"];
   if (render.exists()) table.rows.push_back(quantity_row("render_s", render));
   for (const char* key : {"triangles", "contacts", "time_step_s", "added_mass_fraction"})
-    if (const Value value = context.summary["experiment"][key]; value.exists()) table.rows.push_back(quantity_row(key, value));
+    if (const Value value = context.summary["experiment"][key]; value.exists())
+      table.rows.push_back(quantity_row(key, value));
   if (!table.rows.empty()) section.parts.push_back(html::table(table));
   return section;
 }

@@ -13,9 +13,8 @@ constexpr std::size_t kBeside = 2;
 constexpr double kLoaded = 0.5;
 
 std::optional<std::size_t> sheared_off_at(const std::vector<Sample>& samples, std::size_t tooth) {
-  const auto found = std::find_if(samples.begin(), samples.end(), [&](const Sample& s) {
-    return s.joint.teeth[tooth].attached_share < kShearedOff;
-  });
+  const auto found = std::find_if(samples.begin(), samples.end(),
+                                  [&](const Sample& s) { return s.joint.teeth[tooth].attached_share < kShearedOff; });
   if (found == samples.end()) return std::nullopt;
   return static_cast<std::size_t>(found - samples.begin());
 }

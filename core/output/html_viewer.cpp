@@ -63,10 +63,12 @@ std::string curve_html(const SmallCurve& curve, const FrameState& shown) {
                      kRight - kLeft, kBottom - kTop);
   out += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\" font-size=\"{}\">{}</text>",
                      0.5 * (kLeft + kRight), kHeight - 8, kLabelText, escaped(curve.x.label));
-  out += fmt::format("<text transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\" font-size=\"{}\">{}</text>",
-                     0.5 * (kTop + kBottom), kLabelText, escaped(curve.y.label));
+  out += fmt::format(
+      "<text transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\" font-size=\"{}\">{}</text>",
+      0.5 * (kTop + kBottom), kLabelText, escaped(curve.y.label));
   out += fmt::format("<path class=\"curve\" d=\"{}\"></path>", path_of(curve));
-  out += fmt::format("<line class=\"guide\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"></line>", x, kTop, kBottom);
+  out += fmt::format("<line class=\"guide\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"></line>", x, kTop,
+                     kBottom);
   return out + fmt::format("<circle class=\"present\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"7\"></circle></svg>", x, y);
 }
 
@@ -108,12 +110,14 @@ Markup frame_viewer(const FrameViewer& viewer) {
   std::string out = fmt::format("<div class=\"viewer\" data-viewer=\"{}\">\n", escaped(data_of(viewer).dump()));
   out += "<div class=\"controls\" hidden>" + kind_buttons(viewer) + frame_slider(viewer) + "</div>\n";
   out += fmt::format("<p class=\"state\" aria-live=\"polite\">{}</p>\n", escaped(shown.text));
-  out += fmt::format("<div class=\"viewed\"><div><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}, {2}\"></a>"
-                     "<p class=\"missing\" hidden>No picture of this kind was drawn of this frame.</p></div>",
-                     source, escaped(kind.name), escaped(shown.text));
+  out += fmt::format(
+      "<div class=\"viewed\"><div><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}, {2}\"></a>"
+      "<p class=\"missing\" hidden>No picture of this kind was drawn of this frame.</p></div>",
+      source, escaped(kind.name), escaped(shown.text));
   out += curve_html(viewer.curve, shown);
-  out += "</div>\n<noscript><p>Without scripts the page shows one frame; all are beside it, in the folder "
-         "frames.</p></noscript>\n</div>\n";
+  out +=
+      "</div>\n<noscript><p>Without scripts the page shows one frame; all are beside it, in the folder "
+      "frames.</p></noscript>\n</div>\n";
   return Markup::from_html(out);
 }
 

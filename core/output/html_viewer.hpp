@@ -40,14 +40,14 @@ struct FrameState {
 };
 
 struct FrameViewer {
-  std::vector<PictureKind> kinds;   ///< At least one.
-  std::vector<FrameState> frames;   ///< At least one.
-  std::size_t shown = 0;            ///< Frame that is shown first.
+  std::vector<PictureKind> kinds;  ///< At least one.
+  std::vector<FrameState> frames;  ///< At least one.
+  std::size_t shown = 0;           ///< Frame that is shown first.
   SmallCurve curve;
 };
 
-/// Picture, radio buttons for its kind, a slider over the frames with buttons beside it, all reached by the keyboard, and
-/// the curve with the present frame's point.
+/// Picture, radio buttons for its kind, a slider over the frames with buttons beside it, all reached by the keyboard,
+/// and the curve with the present frame's point.
 Markup frame_viewer(const FrameViewer& viewer);
 
 /// What a page with frame viewers takes as Page::script.

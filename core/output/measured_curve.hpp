@@ -8,10 +8,10 @@ namespace asperity {
 
 /// A curve measured in a laboratory, of one specimen, in the quantities of the run's own curves. NaN: not measured.
 struct MeasuredCurve {
-  std::string name;               ///< For a legend: /output/measured_name, and the specimen where the file names one.
-  std::vector<double> abscissa;   ///< Shear displacement, mm; or axial strain, closure over height or diameter.
-  std::vector<double> stress_mpa; ///< Shear stress, axial stress (total), or 2P/(pi D) of a load per mm of thickness.
-  std::vector<double> lateral_strain;              ///< Compression: widening positive.
+  std::string name;                ///< For a legend: /output/measured_name, and the specimen where the file names one.
+  std::vector<double> abscissa;    ///< Shear displacement, mm; or axial strain, closure over height or diameter.
+  std::vector<double> stress_mpa;  ///< Shear stress, axial stress (total), or 2P/(pi D) of a load per mm of thickness.
+  std::vector<double> lateral_strain;                 ///< Compression: widening positive.
   std::vector<double> dilation_mm, dilation_rear_mm;  ///< Direct shear.
 };
 

@@ -74,8 +74,8 @@ CsvData rising_curve(double slope) {
   std::string text = "shear_displacement_mm,dilation_mm,dilation_front_mm,dilation_rear_mm,tooth1_leading_y_n_per_mm\n";
   for (int i = 0; i <= 30; ++i) {
     const double u = 0.1 * i, v = slope * u;
-    text += std::to_string(u) + "," + std::to_string(v) + "," + std::to_string(v + 0.02) + "," + std::to_string(v - 0.02) +
-            "," + (i >= 10 ? "50" : "0") + "\n";
+    text += std::to_string(u) + "," + std::to_string(v) + "," + std::to_string(v + 0.02) + "," +
+            std::to_string(v - 0.02) + "," + (i >= 10 ? "50" : "0") + "\n";
   }
   return parse_csv(text, "curves.csv");
 }
@@ -129,14 +129,16 @@ TEST_CASE("A sentence stands only where the run's numbers bear it out") {
 
 TEST_CASE("A tooth that slid agrees with sliding, and its base was not asked") {
   const JointNumbers n = slid_tooth();
-  CHECK_THAT(why(n, "sliding up the flanks"), Catch::Contains("No tooth was sheared off") && Catch::Contains("agree within 3 %"));
+  CHECK_THAT(why(n, "sliding up the flanks"),
+             Catch::Contains("No tooth was sheared off") && Catch::Contains("agree within 3 %"));
   CHECK_THAT(why(n, "sheared through at the base"), Catch::Contains("was not reached"));
   CHECK_THAT(why(n, "transition, normal stress"), Catch::Contains("below it") && Catch::Contains("as predicted"));
   CHECK_THAT(why(n, "residual, joint's friction"), Catch::Contains("The tooth still stands"));
 }
 
 TEST_CASE("The transition says whether the tooth did what it predicts") {
-  CHECK_THAT(why(sheared_tooth(), "transition, normal stress"), Catch::Contains("above it") && Catch::Contains("as predicted"));
+  CHECK_THAT(why(sheared_tooth(), "transition, normal stress"),
+             Catch::Contains("above it") && Catch::Contains("as predicted"));
   JointNumbers n = sheared_tooth(0.39);
   n.forms = joint_strength(n.joint, 0.39);
   CHECK_THAT(why(n, "transition, normal stress"), Catch::Contains("should slide") && Catch::Contains("against it"));
@@ -154,23 +156,27 @@ TEST_CASE("The residual tells its friction angle, the slope it moved on, and whe
   JointNumbers n = sheared_tooth();
   // atan(1.42 / 1.47) = 44.0 degrees; 1.47 tan(35 - 1.15 degrees) = 0.986 MPa.
   CHECK_THAT(why(n, "residual, joint's friction"), Catch::Contains("44.0°") && Catch::Contains("sank by 0.020") &&
-                                                       Catch::Contains("0.99 MPa") && Catch::Contains("7 more contacts broke"));
+                                                       Catch::Contains("0.99 MPa") &&
+                                                       Catch::Contains("7 more contacts broke"));
   // 1.47 tan(40 - 1.15 degrees) = 1.18 MPa.
   CHECK_THAT(why(n, "residual, rock's friction"), Catch::Contains("rock's friction makes 1.18 MPa"));
   n.teeth[0].sheared_off_mm = 10.0;
-  CHECK_THAT(why(n, "residual, joint's friction"), Catch::Contains("10.00 mm only, inside the last quarter (9.00 mm to 12.00 mm)"));
+  CHECK_THAT(why(n, "residual, joint's friction"),
+             Catch::Contains("10.00 mm only, inside the last quarter (9.00 mm to 12.00 mm)"));
 }
 
 TEST_CASE("Forms of several teeth stand only where there are several") {
   CHECK(forms_beside(sheared_tooth()).size() == 6);
   const JointNumbers n = two_teeth("one_after_the_other", 0.12);
   CHECK(forms_beside(n).size() == 8);
-  CHECK_THAT(why(n, "all teeth at once"), Catch::Contains("when tooth 2 (30°) bore its most, tooth 1 (15°) bore 12 % of its own"));
+  CHECK_THAT(why(n, "all teeth at once"),
+             Catch::Contains("when tooth 2 (30°) bore its most, tooth 1 (15°) bore 12 % of its own"));
   CHECK_THAT(why(n, "teeth one after the other"), Catch::Contains("at most 1.25 MPa"));
   CHECK_THAT(why(two_teeth("together", 0.8), "teeth one after the other"), Catch::Contains("did not carry alone"));
 }
 
-TEST_CASE("The story of two teeth: the verdict first, each tooth's course, and what keeps the flatter flank closed or open") {
+TEST_CASE(
+    "The story of two teeth: the verdict first, each tooth's course, and what keeps the flatter flank closed or open") {
   const std::vector<std::string> story = teeth_story(two_teeth("one_after_the_other", 0.12), rising_curve(0.5));
   CHECK_THAT(story.front(), Catch::Contains("one after the other") && Catch::Contains("12 % of its own"));
   // At 0.8 mm: risen 0.40; rigid 0.8 tan 30 = 0.46; the 15 degree flank parts above 0.8 tan 15 = 0.21, 0.19 open.

@@ -12,7 +12,11 @@ html::FrameViewer two_frames() {
   viewer.kinds = {{"cracks & more", {"frames/a%201.png", "frames/b.png"}}, {"damage", {"", "frames/c.png"}}};
   viewer.frames = {{0, 0, "Frame 1 of 2: 0 mm"}, {1, 2, "Frame 2 of 2: 1 mm"}};
   viewer.shown = 1;
-  viewer.curve = {{"u [mm]", 0, 1, {{0, "0"}, {1, "1"}}}, {"τ [MPa]", 0, 2, {{0, "0"}, {2, "2"}}}, {0, 0.5, 1}, {0, NAN, 2}, "The curve."};
+  viewer.curve = {{"u [mm]", 0, 1, {{0, "0"}, {1, "1"}}},
+                  {"τ [MPa]", 0, 2, {{0, "0"}, {2, "2"}}},
+                  {0, 0.5, 1},
+                  {0, NAN, 2},
+                  "The curve."};
   return viewer;
 }
 
@@ -45,7 +49,8 @@ TEST_CASE("What the script reads is in the page, escaped, with the point's place
   const std::string page = html::frame_viewer(two_frames()).html();
   CHECK_THAT(page, Catch::Contains("&quot;cracks &amp; more&quot;") && Catch::Contains("&quot;frames/a%201.png&quot;"));
   // The second frame stands in the drawing's upper right corner, the first in the lower left one.
-  CHECK_THAT(page, Catch::Contains("{&quot;x&quot;:466.0,&quot;y&quot;:14.0,") && Catch::Contains("{&quot;x&quot;:62.0,&quot;y&quot;:278.0,"));
+  CHECK_THAT(page, Catch::Contains("{&quot;x&quot;:466.0,&quot;y&quot;:14.0,") &&
+                       Catch::Contains("{&quot;x&quot;:62.0,&quot;y&quot;:278.0,"));
   CHECK_THAT(page, Catch::Contains("cx=\"466.0\" cy=\"14.0\""));
 }
 

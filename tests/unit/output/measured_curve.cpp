@@ -75,8 +75,9 @@ TEST_CASE("A disc's displacement and load become the strain and stress of its cu
 }
 
 TEST_CASE("Specimens become curves of their own, in the order of the file") {
-  const auto all = curves(ExperimentType::triaxial,
-                          "specimen,axial_strain,axial_stress_mpa,lateral_strain\nB,0.001,2,0.0001\nA,0.002,3,0\nB,0.003,4,0\n");
+  const auto all =
+      curves(ExperimentType::triaxial,
+             "specimen,axial_strain,axial_stress_mpa,lateral_strain\nB,0.001,2,0.0001\nA,0.002,3,0\nB,0.003,4,0\n");
   REQUIRE(all.size() == 2);
   CHECK(all[0].name == "lab, B");
   CHECK(all[0].stress_mpa == std::vector<double>{2.0, 4.0});
