@@ -21,7 +21,7 @@ constexpr double kLeastStart = 0.5;
 /// What the checks of one curve share.
 struct Look {
   const MeasuredTest& test;
-  const MeasuredCurve& curve;
+  const SpecimenCurve& curve;
   std::vector<Fault>& faults;
 
   void fault(std::size_t row, std::string what, double value, std::string allowed, std::string hint) const {
@@ -138,7 +138,7 @@ void check_lateral(const Look& look) {
 
 std::vector<Fault> curve_faults(const MeasuredTest& test) {
   std::vector<Fault> faults;
-  for (const MeasuredCurve& curve : test.curves) {
+  for (const SpecimenCurve& curve : test.curves) {
     const Look look{test, curve, faults};
     if (!check_numbers(look) || !check_rows(look)) continue;
     check_strain(look);

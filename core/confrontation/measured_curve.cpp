@@ -146,7 +146,7 @@ std::vector<Fault> take_in_curves(const CsvData& table, const fs::path& file, Me
   if (!faults.empty()) return faults;
   if (test.axial_gauge_mm && whole.gauge_strain.empty()) whole.gauge_strain = whole.path;
   for (const auto& [specimen, rows] : rows_of_specimens(table)) {
-    MeasuredCurve curve{specimen, select_rows(whole, rows), {}};
+    SpecimenCurve curve{specimen, select_rows(whole, rows), {}};
     for (const std::size_t row : rows) curve.lines.push_back(table.line(row));
     test.curves.push_back(std::move(curve));
   }

@@ -24,7 +24,7 @@ CurveReading reading_of(const MeasuredTest& test) {
 
 std::vector<std::string> specimens_of(const MeasuredTest& test) {
   std::vector<std::string> names;
-  for (const MeasuredCurve& curve : test.curves) names.push_back(curve.specimen);
+  for (const SpecimenCurve& curve : test.curves) names.push_back(curve.specimen);
   std::size_t most = 0;
   for (const auto& [name, values] : test.results) most = std::max(most, values.size());
   while (names.size() < most) names.push_back(std::to_string(names.size() + 1));

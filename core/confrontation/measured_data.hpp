@@ -32,7 +32,7 @@ struct Instrument {
 };
 
 /// The curve of one specimen and where it stands.
-struct MeasuredCurve {
+struct SpecimenCurve {
   std::string specimen;
   Curve curve;
   std::vector<std::size_t> lines;  ///< Of each row in the file, from 1.
@@ -54,7 +54,7 @@ struct MeasuredTest {
   ScatterSource scatter = ScatterSource::pooled;
   bool ends_before_peak = false;  ///< The specimen was not taken to its peak, so the curve's end is no fault.
   Instrument instrument;
-  std::vector<MeasuredCurve> curves;
+  std::vector<SpecimenCurve> curves;
   std::map<std::string, std::vector<double>> results;  ///< By feature, one value a specimen; NaN where not measured.
   std::filesystem::path curve_file;                    ///< Empty without curves.
 };

@@ -103,7 +103,7 @@ std::vector<double> instrument_deviations(const Curve& curve, const MeasuredTest
 std::vector<TestFeature> features_of(const MeasuredTest& test) {
   std::vector<TestFeature> features = without_values(test.experiment);
   const CurveReading reading = reading_of(test);
-  for (const MeasuredCurve& curve : test.curves) {
+  for (const SpecimenCurve& curve : test.curves) {
     add_curve(read_features(curve.curve, reading), instrument_deviations(curve.curve, test), features);
   }
   add_results(test, specimens_of(test).size(), features);
