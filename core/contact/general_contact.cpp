@@ -54,8 +54,8 @@ double overlap_potentials(const GeneralContacts& general, const MemberPair& pair
          overlap_potential(b, a.x, general.stiffening, pair.seat);
 }
 
-/// Eq. (C54): where a pair overlaps when it begins to meet; more as the bonds that still hold it let it slip on, less as
-/// soon as it overlaps less. Returns the overlap potential (mm3, at weight 1) that yielding gave up.
+/// Eq. (C54): where a pair overlaps when it begins to meet; more as the bonds that still hold it let it slip on, less
+/// as soon as it overlaps less. Returns the overlap potential (mm3, at weight 1) that yielding gave up.
 double seat_pair(const GeneralContacts& general, double weight, MemberPair& pair) {
   if (pair.seat == 0.0 && weight >= kTakenOver) return 0.0;
   const PresentTriangle &a = general.frames[pair.a], &b = general.frames[pair.b];

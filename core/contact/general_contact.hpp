@@ -68,7 +68,7 @@ struct Touch {
   int handing_over = 0;  ///< 1 where bonded contacts still share the pair, weight < 1.
   double weight = 1;
   double k_n = 0, k_s = 0;  ///< Penalties of the two surfaces together, fixed at first touch, MPa/mm.
-  double yielded = 0;  ///< Overlap potential that its seat gave up in the last update, mm3, Eq. (C54).
+  double yielded = 0;       ///< Overlap potential that its seat gave up in the last update, mm3, Eq. (C54).
   std::array<EdgePart, 6> parts;
   std::array<EdgeFriction, 6> friction;
 };

@@ -47,8 +47,8 @@ bool platens_hold(const Platens& read, const Platens& fresh, double height) {
 
 bool sums_hold(const NodeSums& s) {
   return all_finite({s.on_blocks[0].x, s.on_blocks[0].y, s.on_blocks[1].x, s.on_blocks[1].y, s.reaction[0],
-                     s.reaction[1], s.work_before, s.work_after, s.damping, s.platen_friction,
-                     s.platen_energy, s.kinetic, s.fastest});
+                     s.reaction[1], s.work_before, s.work_after, s.damping, s.platen_friction, s.platen_energy,
+                     s.kinetic, s.fastest});
 }
 
 bool motion_holds(const System& read) {
@@ -146,7 +146,8 @@ bool general_holds(const System& read) {
   return members_hold(g.members, read.particles.triangle_count()) && pairs_hold(g) &&
          broken_contacts_hold(g.chain_contacts, read.contacts) && broken_contacts_hold(g.handing_over, read.contacts) &&
          within(g.travel, 0.0, std::numeric_limits<double>::max()) && g.searches >= 0 && g.searches <= read.step + 1 &&
-         all_finite({g.friction_energy, g.damping_energy, g.largest_depth, g.largest_depth_handing_over, g.largest_seat});
+         all_finite(
+             {g.friction_energy, g.damping_energy, g.largest_depth, g.largest_depth_handing_over, g.largest_seat});
 }
 
 /// Not more than there were steps, nor than the counter can hold with room to go on.

@@ -104,8 +104,9 @@ std::set<std::array<int, 2>> pieces_of(const std::vector<int>& line) {
 class Assembly {
  public:
   Assembly(const JointLines& lines, bool breakable)
-      : particles_(lines.set), breakable_(breakable), border_{pieces_of(lines.lower_border),
-                                                              pieces_of(lines.upper_border)} {
+      : particles_(lines.set),
+        breakable_(breakable),
+        border_{pieces_of(lines.lower_border), pieces_of(lines.upper_border)} {
     for (std::vector<int>& v : vertex_) v.assign(particles_.points.size(), -1);
   }
 
@@ -170,7 +171,7 @@ class Assembly {
   const PointSet& particles_;
   bool breakable_;
   std::array<std::set<std::array<int, 2>>, 2> border_;  ///< Of each half's particle zone towards its elastic part.
-  std::array<std::vector<int>, 2> vertex_;  ///< Of each point of the particle zones, -1: none yet.
+  std::array<std::vector<int>, 2> vertex_;              ///< Of each point of the particle zones, -1: none yet.
   std::array<int, 2> grain_{};
   Mesh mesh_;
   std::vector<JointZone> zone_;

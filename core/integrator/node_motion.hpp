@@ -18,8 +18,8 @@ NodeSums move_nodes_reference(System& system, std::size_t begin, std::size_t end
 /// One of those nodes under a given force of triangles and contacts.
 void move_node_reference(System& system, std::size_t node, Vec2 internal, NodeSums& sums);
 
-/// As move_nodes_reference(), in vector registers where nothing but forces acts on a node; begin is a multiple of 8. Not
-/// with curved jaws or a body force.
+/// As move_nodes_reference(), in vector registers where nothing but forces acts on a node; begin is a multiple of 8.
+/// Not with curved jaws or a body force.
 NodeSums move_nodes_fast(System& system, std::size_t begin, std::size_t end);
 
 /// The same for the nodes of one triangle, which are its own, under given forces of triangle and contacts (N per mm of

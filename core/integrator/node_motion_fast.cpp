@@ -36,8 +36,7 @@ HWY_INLINE Points load_corner(const Vec2* x, const Batch& batch, std::size_t k) 
 
 /// Forces in the slots of the triangles' edges k, on their first or second ends.
 HWY_INLINE Points slot_forces(const Arrays& a, const Batch& batch, std::size_t k, std::size_t end) {
-  return load_points(
-      [&](std::size_t lane) { return &a.forces[2 * a.slot_of_edge[3 * batch.at(lane) + k] + end].x; });
+  return load_points([&](std::size_t lane) { return &a.forces[2 * a.slot_of_edge[3 * batch.at(lane) + k] + end].x; });
 }
 
 /// Masses of the three corners.

@@ -21,8 +21,7 @@ double platen_work(const NodeSums& sums, const std::array<double, 2>& velocity, 
 void accelerate(System& system, RigidBlock& block) {
   const double dt = system.time_step, force = block.reaction.y + block.load;
   const double before = block.velocity.y, trial = before + dt / block.mass * force;
-  const double damping =
-      damping_force(force, system.local_damping, 0.5 * (before + trial), block.mass * (2.0 / dt));
+  const double damping = damping_force(force, system.local_damping, 0.5 * (before + trial), block.mass * (2.0 / dt));
   block.velocity.y = trial + dt / block.mass * damping;
   system.sums.damping -= 0.5 * dt * damping * (before + block.velocity.y);
   system.sums.work_before += 0.5 * dt * block.load * before;

@@ -143,7 +143,8 @@ void check_zones(const JointMesh& joint) {
   CHECK(elastic == 2);
 }
 
-/// Triangles of the particle zones as meshed: the particles, and the row around them that belongs to the elastic grains.
+/// Triangles of the particle zones as meshed: the particles, and the row around them that belongs to the elastic
+/// grains.
 std::vector<bool> fine_triangles(const JointMesh& joint) {
   std::vector<bool> fine(joint.zone.size());
   for (std::size_t t = 0; t < fine.size(); ++t) fine[t] = !is_elastic(joint.zone[t]);
@@ -156,7 +157,8 @@ std::vector<bool> fine_triangles(const JointMesh& joint) {
 /// Figures of the triangles of some zones.
 template <class Chosen>
 Figures zone_figures(const JointMesh& joint, const Chosen& chosen, const std::vector<Vec2>& sharp = {}) {
-  return figures(joint, [&](int t) { return chosen(joint.zone[t]); }, sharp);
+  return figures(
+      joint, [&](int t) { return chosen(joint.zone[t]); }, sharp);
 }
 
 bool particle(JointZone zone) { return !is_elastic(zone); }
@@ -164,7 +166,9 @@ bool particle(JointZone zone) { return !is_elastic(zone); }
 void check_quality(const JointMesh& joint, const JointConfig& config, double edge,
                    const std::vector<Vec2>& sharp = {}) {
   const std::vector<bool> fine = fine_triangles(joint);
-  const Figures p = figures(joint, [&](int t) { return fine[t]; }, sharp), e = zone_figures(joint, is_elastic, sharp);
+  const Figures p = figures(
+                    joint, [&](int t) { return fine[t]; }, sharp),
+                e = zone_figures(joint, is_elastic, sharp);
   INFO("edge " << edge << " particles " << p.triangles << " mean " << p.mean << " deviation " << p.deviation
                << " angle " << p.angle << "; elastic angle " << e.angle);
   CHECK(std::abs(p.mean / edge - 1.0) < 0.03);
@@ -191,9 +195,9 @@ void report(const std::string& name, const JointMesh& joint, double edge, double
   const auto upper = [](JointZone z) { return z == JointZone::upper_particles; };
   const Figures p = zone_figures(joint, particle), e = zone_figures(joint, is_elastic);
   WARN(name << ", " << edge << " mm: particles " << zone_figures(joint, lower).triangles << " + "
-            << zone_figures(joint, upper).triangles << ", edges " << p.mean << " +- " << p.deviation << " (" << p.shortest
-            << " to " << p.longest << "), angle " << p.angle << "; elastic " << e.triangles << ", edges " << e.shortest
-            << " to " << e.longest << ", angle " << e.angle << "; " << seconds << " s");
+            << zone_figures(joint, upper).triangles << ", edges " << p.mean << " +- " << p.deviation << " ("
+            << p.shortest << " to " << p.longest << "), angle " << p.angle << "; elastic " << e.triangles << ", edges "
+            << e.shortest << " to " << e.longest << ", angle " << e.angle << "; " << seconds << " s");
 }
 
 struct Named {
