@@ -6,13 +6,13 @@
 #include "core/contact/law.hpp"
 
 /// The second form of the default law: cohesion on the intact share of a contact, Coulomb friction on the damaged one,
-/// one damage variable for both modes (Alfano & Sacco 2006, Int. J. Numer. Meth. Engng 68). Eqs. (F1)-(F8) and their
+/// one damage variable for both modes (Alfano & Sacco 2006, Int. J. Numer. Meth. Engng 68). Eqs. (A1)-(A8) and their
 /// proof: core/contact/README.md. It keeps its memory in the members of the first form: `integrity_n` and `integrity_s`
 /// are both g, `hardening` is the largest kappa, and `slip` stays 0, so that traction and recoverable energy of a point
 /// are consistent_law::set_traction() and consistent_law::recoverable_energy().
 namespace asperity::cohesive_frictional_law {
 
-/// Normalised separations of the two modes, Eq. (F2); the shear part does not depend on the pressure.
+/// Normalised separations of the two modes, Eq. (A2); the shear part does not depend on the pressure.
 struct Separation {
   double opening = 0, shear = 0;
   double square() const { return opening * opening + shear * shear; }
@@ -23,7 +23,7 @@ inline Separation separation(double normal, double shear, const LawParameters& p
 }
 
 /// Energy given up by a part of the intact share that breaks while its stress goes from one value to another (MPa) of
-/// which friction keeps `kept`, over a step; Eq. (F7) for trapezoids, never negative.
+/// which friction keeps `kept`, over a step; Eq. (A7) for trapezoids, never negative.
 inline double released_energy(double part, double before, double after, double kept, double k_s) {
   return 0.5 * part * std::max(0.0, (after - kept) * (before + kept)) / k_s;
 }
@@ -36,7 +36,7 @@ inline double mixing_energy(const PointState& s, double part, double kept, doubl
   return 0.5 * part * share / (part + share) * gap * gap / k_s;
 }
 
-/// A part of the intact share breaks and joins the damaged one, Eqs. (F6), (F7); `limit` is p tan(phi_c).
+/// A part of the intact share breaks and joins the damaged one, Eqs. (A6), (A7); `limit` is p tan(phi_c).
 inline void join_damaged_share(PointState& s, double part, double shear, double limit, const LawParameters& p) {
   const double before = p.k_s * s.shear, after = p.k_s * shear;
   const double kept = std::clamp(after, -limit, limit);
@@ -44,7 +44,7 @@ inline void join_damaged_share(PointState& s, double part, double shear, double 
   s.friction += part * kept;
 }
 
-/// Damage where kappa passes all it has been, Eqs. (F3), (F4); `limit` is p tan(phi_c), MPa.
+/// Damage where kappa passes all it has been, Eqs. (A3), (A4); `limit` is p tan(phi_c), MPa.
 inline void damage_contact(PointState& s, double normal, double shear, double limit, const LawParameters& p) {
   const Separation size = separation(normal, shear, p);
   if (size.square() <= s.hardening * s.hardening) return;

@@ -78,7 +78,7 @@ TEST_CASE("Cohesive-frictional form: both modes unload along the secant of their
   CHECK(s.traction_s == Approx(-g * kLaw.k_s * 0.2 * kLaw.delta_cs).epsilon(kRounding));
 }
 
-TEST_CASE("Cohesive-frictional form: shear under pressure sticks, then mobilises friction with the damage, Eq. (F8)") {
+TEST_CASE("Cohesive-frictional form: shear under pressure sticks, then mobilises friction with the damage, Eq. (A8)") {
   const double pressure = GENERATE(0.5, 3.0, 10.0);
   const double normal = -pressure / kLaw.k_t, friction = pressure * kLaw.tan_phi;
   for (const double kappa : {0.02, 0.3, 0.7, 0.999}) {
