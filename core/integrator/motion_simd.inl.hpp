@@ -140,6 +140,15 @@ HWY_INLINE void add_lanes(Addends addends, unsigned bits, LaneSums& sums, std::s
   hn::Store(hn::Max(hn::Load(kDoubles, sums.fastest + lane), addends.fastest), kDoubles, sums.fastest + lane);
 }
 
+/// Adds all eight lanes, in their order.
+HWY_INLINE void add_to(NodeSums& sums, const LaneSums& lanes) {
+  for (std::size_t lane = 0; lane < kBlock; ++lane) {
+    sums.damping += lanes.damping[lane];
+    sums.kinetic += lanes.kinetic[lane];
+    sums.fastest = std::max(sums.fastest, lanes.fastest[lane]);
+  }
+}
+
 }  // namespace asperity::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -159,11 +159,7 @@ NodeSums move_triangles(System& system, std::size_t begin, std::size_t end) {
   for (std::size_t first = begin; first < end; first += kLanes) {
     move_batch(system, arrays, {first, std::min(kLanes, end - first)}, step, next_load, lanes, sums);
   }
-  for (std::size_t lane = 0; lane < kBlock; ++lane) {
-    sums.damping += lanes.damping[lane];
-    sums.kinetic += lanes.kinetic[lane];
-    sums.fastest = std::max(sums.fastest, lanes.fastest[lane]);
-  }
+  add_to(sums, lanes);
   return sums;
 }
 

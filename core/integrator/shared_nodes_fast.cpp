@@ -95,11 +95,7 @@ NodeSums move_shared_nodes(System& system, std::size_t begin, std::size_t end) {
     }
     add_lanes(addends, free, lanes, first % kBlock);
   }
-  for (std::size_t lane = 0; lane < kBlock; ++lane) {
-    sums.damping += lanes.damping[lane];
-    sums.kinetic += lanes.kinetic[lane];
-    sums.fastest = std::max(sums.fastest, lanes.fastest[lane]);
-  }
+  add_to(sums, lanes);
   return sums;
 }
 
