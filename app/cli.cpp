@@ -55,7 +55,9 @@ void add_validate(CLI::App& cli, Action& action) {
   auto overrides = std::make_shared<std::vector<std::string>>();
   CLI::App* command =
       cli.add_subcommand("validate", "Makes every check of `run`, the mesh's included, and writes nothing");
-  command->add_option("config", *configs, "Configurations (JSON) of runs or, by their \"$schema\", of campaigns, calibrations, measured data")
+  command
+      ->add_option("config", *configs,
+                   "Configurations (JSON) of runs or, by their \"$schema\", of campaigns, calibrations, measured data")
       ->required();
   add_overrides(*command, *overrides);
   command->footer("Example:\n  asperity validate configs/paper/*.json");
@@ -204,6 +206,16 @@ void add_features(CLI::App& cli, Action& action) {
   command->callback([=, &action] { action = [=] { return features_command(*options); }; });
 }
 
+void add_mechanisms(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<MechanismsOptions>();
+  CLI::App* command = cli.add_subcommand(
+      "mechanisms", "Lists the mechanisms a run may have, or tells of one: equation, parameters, source");
+  command->add_option("id", options->ids, "Mechanisms to tell of; default a list of all");
+  command->add_flag("--json", options->json, "Prints JSON");
+  command->footer("Examples:\n  asperity mechanisms\n  asperity mechanisms platen_friction frame_compliance");
+  command->callback([=, &action] { action = [=] { return mechanisms_command(*options); }; });
+}
+
 void add_info(CLI::App& cli, Action& action) {
   CLI::App* command = cli.add_subcommand("info", "Prints version, revision, libraries and machine");
   command->footer("Example:\n  asperity info");
@@ -234,8 +246,9 @@ int run_command_line(int argc, char** argv) {
       "data, "
       "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
   Action action;
-  for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_report, add_audit,
-                         add_campaign, add_calibrate, add_features, add_acceleration, add_bench, add_info}) {
+  for (const auto add :
+       {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_report, add_audit, add_campaign,
+        add_calibrate, add_features, add_mechanisms, add_acceleration, add_bench, add_info}) {
     add(cli, action);
   }
   try {

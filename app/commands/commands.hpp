@@ -106,6 +106,13 @@ struct FeaturesOptions {
 
 int features_command(const FeaturesOptions& options);
 
+struct MechanismsOptions {
+  std::vector<std::string> ids;  ///< None: the whole library.
+  bool json = false;
+};
+
+int mechanisms_command(const MechanismsOptions& options);
+
 int info_command();
 
 }  // namespace asperity::app

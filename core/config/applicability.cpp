@@ -28,22 +28,33 @@ bool is_default_law(const RunConfig& config) { return config.contacts.law.readin
 bool is_voronoi(const RunConfig& config) { return config.particles.kind == ParticleKind::voronoi; }
 
 /// Keys that only a joint has, and keys that a joint has not.
-constexpr std::array<std::string_view, 12> kJointKeys{
-    "/experiment/normal_stress_mpa", "/experiment/loading/shear_rate_mm_per_s", "/experiment/stop/shear_displacement_mm",
-    "/joint/profile", "/joint/end_gap_mm", "/joint/points_mm", "/joint/lower_height_mm", "/joint/upper_height_mm",
-    "/joint/damage_depth_lower_mm", "/joint/damage_depth_upper_mm", "/joint/coarse_edge_mm", "/joint/breakable"};
-constexpr std::array<std::string_view, 9> kPlatenKeys{
-    "/experiment/platens/friction_coefficient", "/experiment/platens/stiffness_mpa_per_mm",
-    "/experiment/loading/closing_rate_mm_per_s", "/experiment/loading/rate_control/enabled",
-    "/experiment/loading/rate_control/kinetic_ratio_bound", "/experiment/loading/rate_control/slowest_rate_factor",
-    "/experiment/loading/rate_control/fastest_rate_factor", "/experiment/loading/elastic_start_fraction",
-    "/experiment/stop/axial_strain"};
+constexpr std::array<std::string_view, 12> kJointKeys{"/experiment/normal_stress_mpa",
+                                                      "/experiment/loading/shear_rate_mm_per_s",
+                                                      "/experiment/stop/shear_displacement_mm",
+                                                      "/joint/profile",
+                                                      "/joint/end_gap_mm",
+                                                      "/joint/points_mm",
+                                                      "/joint/lower_height_mm",
+                                                      "/joint/upper_height_mm",
+                                                      "/joint/damage_depth_lower_mm",
+                                                      "/joint/damage_depth_upper_mm",
+                                                      "/joint/coarse_edge_mm",
+                                                      "/joint/breakable"};
+constexpr std::array<std::string_view, 9> kPlatenKeys{"/experiment/platens/friction_coefficient",
+                                                      "/experiment/platens/stiffness_mpa_per_mm",
+                                                      "/experiment/loading/closing_rate_mm_per_s",
+                                                      "/experiment/loading/rate_control/enabled",
+                                                      "/experiment/loading/rate_control/kinetic_ratio_bound",
+                                                      "/experiment/loading/rate_control/slowest_rate_factor",
+                                                      "/experiment/loading/rate_control/fastest_rate_factor",
+                                                      "/experiment/loading/elastic_start_fraction",
+                                                      "/experiment/stop/axial_strain"};
 
 std::vector<ConditionalKey> joint_and_platen_keys() {
   std::vector<ConditionalKey> keys;
   for (const std::string_view key : kJointKeys) {
-    keys.push_back({key, kType, is_shear, "only in direct shear",
-                    "remove it, or set /experiment/type to \"direct_shear\""});
+    keys.push_back(
+        {key, kType, is_shear, "only in direct shear", "remove it, or set /experiment/type to \"direct_shear\""});
   }
   for (const std::string_view key : kPlatenKeys) {
     keys.push_back({key, kType, has_platens, "only in tests between platens",
@@ -95,6 +106,7 @@ const std::vector<ConditionalKey>& conditional_keys() {
         {"/experiment/loading/rate_control/slowest_rate_factor", kMode, is_continuous, continuous, stage_hint},
         {"/experiment/loading/rate_control/fastest_rate_factor", kMode, is_continuous, continuous, stage_hint},
         {"/experiment/loading/elastic_start_fraction", kMode, is_continuous, continuous, stage_hint},
+        {"/experiment/loading/unloading", kMode, is_continuous, continuous, stage_hint},
         {"/contacts/shear_fracture_energy_n_per_mm", kReading, is_default_law, "only under the default law",
          "remove it, or set /contacts/law/reading to \"default\": the literal law drops at its shear peak"},
         {"/contacts/law/form", kReading, is_default_law, "only under the default law",

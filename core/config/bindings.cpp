@@ -50,6 +50,24 @@ json write_modulus_window(const RunConfig& config) {
   return json::array({config.measurement.modulus_window_low, config.measurement.modulus_window_high});
 }
 
+void read_unloading(RunConfig& config, const json& value) {
+  config.experiment.loading.unloading.clear();
+  for (const json& loop : value) {
+    UnloadingConfig u;
+    u.at_mm = loop.value("at_mm", u.at_mm);
+    u.stress_ratio = loop.value("stress_ratio", u.stress_ratio);
+    config.experiment.loading.unloading.push_back(u);
+  }
+}
+json write_unloading(const RunConfig& config) {
+  if (config.experiment.loading.unloading.empty()) return {};
+  json loops = json::array();
+  for (const UnloadingConfig& u : config.experiment.loading.unloading) {
+    loops.push_back({{"at_mm", u.at_mm}, {"stress_ratio", u.stress_ratio}});
+  }
+  return loops;
+}
+
 void read_profile(RunConfig& config, const json& value) {
   config.joint.profile.clear();
   for (const json& tooth : value) {
@@ -70,13 +88,40 @@ json write_profile(const RunConfig& config) {
 
 void read_points(RunConfig& config, const json& value) {
   config.joint.points_mm.clear();
-  for (const json& point : value) config.joint.points_mm.push_back({point.at(0).get<double>(), point.at(1).get<double>()});
+  for (const json& point : value)
+    config.joint.points_mm.push_back({point.at(0).get<double>(), point.at(1).get<double>()});
 }
 json write_points(const RunConfig& config) {
   if (config.joint.points_mm.empty()) return {};
   json points = json::array();
   for (const Vec2 p : config.joint.points_mm) points.push_back(json::array({p.x, p.y}));
   return points;
+}
+
+void read_mechanisms(RunConfig& config, const json& value) {
+  config.mechanisms.clear();
+  for (const json& entry : value) {
+    MechanismConfig& m = config.mechanisms.emplace_back();
+    for (const auto& [key, member] : entry.items()) {
+      if (key == "type") {
+        m.type = member.get<std::string>();
+      } else if (key == "amplitude") {
+        m.amplitude = member.get<double>();
+      } else {
+        m.parameters[key] = member.get<double>();
+      }
+    }
+  }
+}
+json write_mechanisms(const RunConfig& config) {
+  if (config.mechanisms.empty()) return {};
+  json entries = json::array();
+  for (const MechanismConfig& m : config.mechanisms) {
+    json& entry = entries.emplace_back(json{{"type", m.type}});
+    if (m.amplitude) entry["amplitude"] = *m.amplitude;
+    for (const auto& [key, value] : m.parameters) entry[key] = value;
+  }
+  return entries;
 }
 
 const Binding* find_binding(std::string_view pointer) {
@@ -145,6 +190,7 @@ const std::vector<Binding>& bindings() {
           "/experiment/loading/rate_control/fastest_rate_factor"),
       bind<&Run::experiment, &Experiment::loading, &Loading::elastic_start_fraction>(
           "/experiment/loading/elastic_start_fraction"),
+      {"/experiment/loading/unloading", read_unloading, write_unloading},
       bind<&Run::experiment, &Experiment::stop, &Stop::axial_strain>("/experiment/stop/axial_strain"),
       bind<&Run::experiment, &Experiment::stop, &Stop::shear_displacement_mm>("/experiment/stop/shear_displacement_mm"),
       bind<&Run::experiment, &Experiment::stop, &Stop::fraction_of_peak>("/experiment/stop/fraction_of_peak"),
@@ -221,6 +267,7 @@ const std::vector<Binding>& bindings() {
       bind<&Run::output, &Output::checkpoint_interval_s>("/output/checkpoint_interval_s"),
       bind<&Run::output, &Output::measured_curve>("/output/measured_curve"),
       bind<&Run::output, &Output::measured_name>("/output/measured_name"),
+      {"/mechanisms", read_mechanisms, write_mechanisms},
   };
   return table;
 }

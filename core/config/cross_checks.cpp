@@ -9,6 +9,7 @@
 #include "core/config/bindings.hpp"
 #include "core/config/enum_words.hpp"
 #include "core/config/estimates.hpp"
+#include "core/config/mechanism_declaration.hpp"
 #include "core/config/schema_lookup.hpp"
 
 namespace asperity {
@@ -36,6 +37,7 @@ constexpr std::string_view kTimeStep = "/integration/time_step_s";
 constexpr std::string_view kMassScaling = "/integration/mass_scaling_time_step_s";
 constexpr std::string_view kUniformMass = "/integration/mass_scaling/uniform";
 constexpr std::string_view kElasticStart = "/experiment/loading/elastic_start_fraction";
+constexpr std::string_view kUnloading = "/experiment/loading/unloading";
 constexpr std::string_view kShape = "/experiment/platens/shape";
 constexpr std::string_view kJawRadius = "/experiment/platens/jaw_radius_mm";
 constexpr std::string_view kPlatenFriction = "/experiment/platens/friction_coefficient";
@@ -71,6 +73,37 @@ Result triaxial_without_pressure(const RunConfig& config) {
   if (e.type != ExperimentType::triaxial || e.confining_pressure_mpa > 0.0) return {};
   return fault_at(config, kConfiningPressure, "a triaxial test needs a confining pressure", "above 0 MPa",
                   "set it, or set /experiment/type to \"uniaxial\"");
+}
+
+/// Where a test ends, mm of closure or shear displacement.
+double stop_displacement(const RunConfig& config) {
+  const ExperimentConfig& e = config.experiment;
+  if (is_shear(config)) return e.stop.shear_displacement_mm;
+  return e.stop.axial_strain * (is_compression(config) ? e.height_mm : e.diameter_mm);
+}
+
+Result unloading_out_of_order(const RunConfig& config) {
+  const std::vector<UnloadingConfig>& loops = config.experiment.loading.unloading;
+  double before = 0.0;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const double at = loops[i].at_mm, end = stop_displacement(config);
+    if (at > before && at < end) {
+      before = at;
+      continue;
+    }
+    return Fault{std::string(kUnloading) + "/" + std::to_string(i) + "/at_mm",
+                 "does not lie behind the loop before it and before the test's end", number_text(at),
+                 "above " + rounded(before) + ", below " + rounded(end) + " mm",
+                 "the displacements at which loops begin ascend; /experiment/stop says where the test ends"};
+  }
+  return {};
+}
+
+Result unloading_under_rate_control(const RunConfig& config) {
+  const LoadingConfig& loading = config.experiment.loading;
+  if (loading.unloading.empty() || !loading.rate_control.enabled) return {};
+  return fault_at(config, "/experiment/loading/rate_control/enabled", "cannot go with loops of unloading", "false",
+                  "a controlled rate only ever goes forward; leave out one of the two");
 }
 
 Result shear_without_normal_stress(const RunConfig& config) {
@@ -238,6 +271,8 @@ const std::vector<Check>& checks() {
        time_step_unstable},
       {{kUniformMass, kMassScaling}, mass_scaled_twice},
       {{kElasticStart, kPlatenFriction}, elastic_start_with_friction},
+      {{kType, kUnloading, kHeight, kDiameter, "/experiment/stop"}, unloading_out_of_order},
+      {{kUnloading, "/experiment/loading/rate_control"}, unloading_under_rate_control},
       {{kType, kDiameter, kShape, kJawRadius}, jaws_too_narrow},
       {{kWindow}, window_reversed},
       {{kType, kHeight, kAxialGauge}, axial_gauge_too_long},
@@ -286,6 +321,9 @@ std::vector<Fault> cross_check(const RunConfig& config, const KeyNotes& notes) {
   for (const Check& check : checks()) {
     if (any_faulty(check.keys, notes)) continue;
     if (Result fault = check.find(config)) faults.push_back(std::move(*fault));
+  }
+  if (!any_faulty({"/mechanisms", kType}, notes)) {
+    for (Fault& fault : mechanism_faults(config)) faults.push_back(std::move(fault));
   }
   return faults;
 }

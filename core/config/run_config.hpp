@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/vec2.hpp"
+#include "core/config/mechanism_config.hpp"
 
 /// One run, as plain data. Every member keeps the unit in its name, as its JSON key does; read_run_config fills and
 /// checks it. The JSON Schema configs/schema/run.schema.json describes every key.
@@ -18,9 +19,9 @@ enum class PlaneCondition { stress, strain };
 enum class PlatenShape { flat, curved };
 enum class ParticleKind { triangle, voronoi };
 enum class LoadingMode { continuous, staged };
-enum class LawReading { literal, consistent };  ///< JSON: "literal", "default".
+enum class LawReading { literal, consistent };            ///< JSON: "literal", "default".
 enum class LawForm { damage_slip, cohesive_frictional };  ///< Of the default law.
-enum class ShearPeak { cohesion, coulomb };     ///< Eq 6's peak: c_c, or c_c + sigma_n tan(phi_c).
+enum class ShearPeak { cohesion, coulomb };               ///< Eq 6's peak: c_c, or c_c + sigma_n tan(phi_c).
 enum class OpeningShearStiffness { k_t, k_s };  ///< Stiffness of the shear component while the contact is open.
 
 struct PlatenConfig {
@@ -40,9 +41,16 @@ struct RateControlConfig {
   bool operator==(const RateControlConfig&) const = default;
 };
 
+/// One loop of unloading and reloading.
+struct UnloadingConfig {
+  double at_mm = 0.0;         ///< Closure of the platens, or shear displacement, at which it begins.
+  double stress_ratio = 0.1;  ///< Unloading ends at this share of the (deviator or shear) stress it began at.
+  bool operator==(const UnloadingConfig&) const = default;
+};
+
 struct LoadingConfig {
   LoadingMode mode = LoadingMode::continuous;
-  double shear_rate_mm_per_s = 100.0;  ///< Direct shear: of the lower half.
+  double shear_rate_mm_per_s = 100.0;    ///< Direct shear: of the lower half.
   double closing_rate_mm_per_s = 100.0;  ///< Of the two platens together.
   double ramp_time_s = 0.0;  ///< From rest to the closing rate (Brazilian); the uniaxial test starts from a linear
                              ///< velocity field instead.
@@ -51,7 +59,8 @@ struct LoadingConfig {
   double hold_time_s = 2e-3;            ///< Staged: a stage is over after this time at the latest.
   double confinement_time_s = 1.5e-3;   ///< Triaxial: duration of the hydrostatic stage's ramp.
   RateControlConfig rate_control;
-  double elastic_start_fraction = 0.0;  ///< Share of first softening that a static solution reaches; 0: none.
+  std::vector<UnloadingConfig> unloading;  ///< Loops, in the order of the displacements at which they begin.
+  double elastic_start_fraction = 0.0;     ///< Share of first softening that a static solution reaches; 0: none.
   bool operator==(const LoadingConfig&) const = default;
 };
 
@@ -108,7 +117,7 @@ struct MaterialConfig {
   double mode_i_toughness_mpa_sqrt_m = 0.9;
   double mode_ii_toughness_mpa_sqrt_m = 1.1;
   double tensile_strength_mpa = 1.6;
-  double beta = 0.25;  ///< Eq 33.
+  double beta = 0.25;                                      ///< Eq 33.
   std::optional<double> cohesion_mpa, friction_angle_deg;  ///< Mohr-Coulomb, for a joint's closed forms.
   bool operator==(const MaterialConfig&) const = default;
 };
@@ -196,7 +205,7 @@ struct OutputConfig {
   std::vector<std::string> fields{"cracks", "contacts", "damage", "stress", "fragments"};
   int width_px = 1600;
   int height_px = 1200;
-  double checkpoint_interval_s = 60.0;  ///< Wall time; 0: after every step.
+  double checkpoint_interval_s = 60.0;        ///< Wall time; 0: after every step.
   std::optional<std::string> measured_curve;  ///< CSV file drawn into the plots; read_run_config makes it absolute.
   std::optional<std::string> measured_name;   ///< In legends; read_run_config takes the file's name where unset.
   bool operator==(const OutputConfig&) const = default;
@@ -213,6 +222,8 @@ struct RunConfig {
   IntegrationConfig integration;
   MeasurementConfig measurement;
   OutputConfig output;
+  std::vector<MechanismConfig> mechanisms;
+  ModelExtensions extensions;  ///< Made of the mechanisms before a model is built; no key of the file.
   bool operator==(const RunConfig&) const = default;
 };
 

@@ -84,6 +84,10 @@ void BondedContacts::set_points(std::size_t c, const std::array<PointState, 2>& 
   if (broken_index[c] >= 0 || modes != std::array{BreakMode::none, BreakMode::none}) broken_edge(c).points = modes;
 }
 
+double BondedContacts::strength(std::size_t c) const {
+  return strengths.empty() ? 1.0 : strengths[c / kPacked].factor[c % kPacked];
+}
+
 double BondedContacts::break_time(std::size_t c) const {
   return broken_index[c] < 0 ? -1.0 : broken[broken_index[c]].break_time;
 }
@@ -112,6 +116,23 @@ int BondedContacts::partner(int edge) const {
   if (contact == kGrain) return grain_slot(slot_of_edge[edge]);
   if (contact == kOutline) return -1;
   return edges[contact].left_edge == edge ? edges[contact].right_edge : edges[contact].left_edge;
+}
+
+void set_strengths(BondedContacts& contacts, const std::vector<double>& factors) {
+  contacts.strengths.assign((contacts.size() + kPacked - 1) / kPacked, StrengthRow{});
+  for (StrengthRow& row : contacts.strengths) row.factor.fill(1.0);
+  for (std::size_t c = 0; c < factors.size(); ++c) contacts.strengths[c / kPacked].factor[c % kPacked] = factors[c];
+}
+
+void open_from_start(BondedContacts& contacts, std::size_t c) {
+  std::array<PointState, 2> points = contacts.memory.load(c);
+  for (PointState& s : points) {
+    s.damage = 1.0;
+    s.integrity_n = s.integrity_s = 0.0;
+    s.broken = BreakMode::tension;
+  }
+  contacts.set_points(c, points);
+  contacts.broken_edge(c).break_time = 0.0;
 }
 
 void add_hand_over_force(const BondedContacts& contacts, std::size_t c, double general_energy,

@@ -52,6 +52,11 @@ struct BrokenEdge {
 inline constexpr int kOutline = -1;  ///< Nothing: the edge lies on the outline.
 inline constexpr int kGrain = -2;    ///< The same grain: the two share their nodes for good.
 
+/// Factors on the strengths of kPacked contacts side by side.
+struct alignas(64) StrengthRow {
+  std::array<double, kPacked> factor;
+};
+
 /// Contact edges of a mesh and the memory of their two contact points (Gauss points at 1/2 -+ 1/(2 sqrt 3)).
 struct BondedContacts {
   std::vector<ContactEdge> edges;
@@ -60,6 +65,7 @@ struct BondedContacts {
   std::vector<BrokenEdge> broken;  ///< In the order in which they first broke.
   std::vector<int> slot_of_edge;   ///< Of each triangle edge: its force slot; -2 - e inside a grain, e the edge beyond.
   std::size_t outline_edges = 0;   ///< Their slots follow the contacts'.
+  std::vector<StrengthRow> strengths;  ///< Factors of eight contacts each, Eq. (C57); empty: 1 everywhere.
   double hand_over_range = 0;  ///< Edge lengths of slip or opening since breakage; 0: they keep their pair for good.
   LawParameters law;
   LawReading reading = LawReading::consistent;
@@ -72,6 +78,8 @@ struct BondedContacts {
   std::array<PointState, 2> points(std::size_t contact) const;
   /// Sets them; a broken one enters the list of broken edges.
   void set_points(std::size_t contact, const std::array<PointState, 2>& points);
+
+  double strength(std::size_t contact) const;  ///< Factor of its strengths, Eq. (C57).
 
   double break_time(std::size_t contact) const;  ///< s; -1 while the edge holds.
   bool is_broken(std::size_t contact) const { return break_time(contact) >= 0.0; }
@@ -86,6 +94,12 @@ struct BondedContacts {
 /// Contacts on all edges between triangles of different grains.
 BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const LawParameters& law, LawReading reading,
                              LawForm form = LawForm::damage_slip);
+
+/// Gives every contact its own strength, a factor above 0 each, Eq. (C57).
+void set_strengths(BondedContacts& contacts, const std::vector<double>& factors);
+
+/// Breaks a contact before anything moves: a defect, which transmits pressure and friction and nothing else.
+void open_from_start(BondedContacts& contacts, std::size_t contact);
 
 /// Midline frame of a contact edge and its separations; Eqs. (C15), (C16).
 struct ContactFrame {

@@ -17,15 +17,20 @@ struct LawParameters {
   double kappa_ut = 0;                ///< delta_ut / delta_ct.
   double kappa_us = 1;                ///< delta_us / delta_cs: end of softening in pure shear; 1: breaks at the peak.
   double inverse_delta_ct = 0;        ///< 1 / delta_ct, 1/mm.
-  double coulomb = 0;        ///< Literal law: tan(phi_c) where Eq 6's peak is c_c + sigma_n tan(phi_c), else 0.
-  double opening_shear = 1;  ///< Literal law: factor on Eq 3's shear component, 1 (k_t) or k_s / k_t.
+  double coulomb = 0;  ///< Literal law: tan(phi_c) where Eq 6's peak is c_c + sigma_n tan(phi_c), else 0.
+  double tan_phi_peak =
+      0;  ///< Of the intact share's strength; tan(phi_c) in the base model. Default law, like the rest.
+  double envelope_exponent = 1;  ///< Of that strength over the pressure, Eq. (D10); 1: straight.
+  double closure_share = 0;      ///< 1 - k_0 / k_t of normal closing, Eq. (D11); 0: linear.
+  double closure_length = 1;     ///< Of the same, mm.
+  double opening_shear = 1;      ///< Literal law: factor on Eq 3's shear component, 1 (k_t) or k_s / k_t.
 };
 
 /// Everything a contact point remembers.
 struct PointState {
-  double normal = 0, shear = 0;             ///< Separation at the last evaluation.
-  double traction_n = 0, traction_s = 0;    ///< Traction then.
-  double slip = 0;                          ///< Default law: slip of the intact share.
+  double normal = 0, shear = 0;           ///< Separation at the last evaluation.
+  double traction_n = 0, traction_s = 0;  ///< Traction then.
+  double slip = 0;                        ///< Default law: slip of the intact share.
   double hardening = 0;  ///< Default law: normalised shear displacement x; cohesive-frictional: the largest kappa.
   double integrity_n = 1, integrity_s = 1;  ///< Default law: secant factors g_n, g_s, never growing.
   double friction = 0;                      ///< Shear traction carried by friction (broken share).

@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::string_view kMagic = "asperity checkpoint 8\n";
+constexpr std::string_view kMagic = "asperity checkpoint 9\n";
 constexpr std::size_t kDigest = 64;
 
 /// Appends plain values and vectors of them to a byte string, each with its size, so that other code's layout is seen.
@@ -116,6 +116,7 @@ void exchange(Archive& archive, SystemType& system, StateType& state) {
   archive(system.platen_shear);
   archive(system.particles.position);
   archive(system.particles.velocity);
+  archive(system.particles.plasticity);
   archive(system.contacts.memory.packed);
   archive(system.contacts.memory.literal);
   archive(system.contacts.broken_index);

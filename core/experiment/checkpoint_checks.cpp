@@ -29,7 +29,9 @@ bool all_within(const std::vector<Vec2>& vectors, double most) {
 
 bool same_sizes(const System& a, const System& b) {
   return a.particles.position.size() == b.particles.position.size() &&
-         a.particles.velocity.size() == b.particles.velocity.size() && a.platen_shear.size() == b.platen_shear.size() &&
+         a.particles.velocity.size() == b.particles.velocity.size() &&
+         a.particles.plasticity.size() == b.particles.plasticity.size() &&
+         a.platen_shear.size() == b.platen_shear.size() &&
          a.contacts.memory.packed.size() == b.contacts.memory.packed.size() &&
          a.contacts.memory.literal.size() == b.contacts.memory.literal.size() &&
          a.contacts.broken_index.size() == b.contacts.broken_index.size();
@@ -160,6 +162,12 @@ bool rate_control_holds(const RateControlState& control, double now) {
          control.separated >= 0 && within(control.crack_time, -1.0, now);
 }
 
+bool unloading_holds(const UnloadingState& state, const RunConfig& config) {
+  const auto most = static_cast<int>(config.experiment.loading.unloading.size());
+  return state.begun >= 0 && state.begun <= most && (state.back == 0 || (state.back == 1 && state.begun > 0)) &&
+         within(state.direction, -1.0, 1.0) && all_finite({state.load, state.turn_load, state.turn_mm});
+}
+
 bool elastic_start_holds(const ElasticStart& start) {
   return start.increments >= 0 && start.iterations >= 0 && start.factorisations >= 0 &&
          within(start.separation, 0.0, std::numeric_limits<double>::max());
@@ -175,7 +183,7 @@ bool program_holds(const LoadingState& loading, const Model& fresh, double now) 
   return phase_holds && all_finite({loading.phase_start_s, loading.zero_gauges.axial, loading.zero_gauges.lateral}) &&
          within(loading.phase_start_closure_mm, -most, most) && within(loading.zero_distance_mm, 0.0, most) &&
          within(loading.elastic_start_closure_mm, -most, most) && rate_control_holds(loading.rate_control, now) &&
-         elastic_start_holds(loading.elastic_start);
+         unloading_holds(loading.unloading, fresh.config) && elastic_start_holds(loading.elastic_start);
 }
 
 /// Rows and frames come with steps, or with the increments of an elastic start.

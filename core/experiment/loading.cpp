@@ -71,8 +71,7 @@ void press(Model& model, LoadingState& state, double kinetic_ratio) {
   const double elapsed = model.system.time - state.phase_start_s;
   const double full = e.normal_stress_mpa * model.joint.profile.length();
   upper.load = -full * std::min(1.0, elapsed / e.loading.confinement_time_s);
-  const bool settled =
-      kinetic_ratio < e.loading.hold_kinetic_ratio && std::abs(upper.reaction.y - full) < 1e-3 * full;
+  const bool settled = kinetic_ratio < e.loading.hold_kinetic_ratio && std::abs(upper.reaction.y - full) < 1e-3 * full;
   if ((elapsed > e.loading.confinement_time_s && settled) || elapsed > 4.0 * e.loading.confinement_time_s) {
     state.phase = LoadingPhase::moving;
     state.phase_start_s = model.system.time;
@@ -85,7 +84,8 @@ void shear(Model& model, LoadingState& state) {
   const LoadingConfig& loading = model.config.experiment.loading;
   const double elapsed = model.system.time - state.phase_start_s;
   const double ramp = loading.ramp_time_s > 0.0 ? std::min(1.0, elapsed / loading.ramp_time_s) : 1.0;
-  model.system.blocks[kLowerBlock].velocity = {ramp * loading.shear_rate_mm_per_s, 0.0};
+  const double factor = unloading_factor(model, state.unloading, closure(model, state));
+  model.system.blocks[kLowerBlock].velocity = {factor * ramp * loading.shear_rate_mm_per_s, 0.0};
 }
 
 void move(Model& model, LoadingState& state) {
@@ -102,7 +102,7 @@ void move(Model& model, LoadingState& state) {
   const double ramp = from_rest && loading.ramp_time_s > 0.0 ? std::min(1.0, elapsed / loading.ramp_time_s) : 1.0;
   const double rate =
       loading.rate_control.enabled ? advance_rate(model, state.rate_control) : loading.closing_rate_mm_per_s;
-  set_closing_rate(model.system.platens, ramp * rate);
+  set_closing_rate(model.system.platens, unloading_factor(model, state.unloading, closure(model, state)) * ramp * rate);
 }
 
 void hold(Model& model, LoadingState& state, double kinetic_ratio) {

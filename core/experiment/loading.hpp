@@ -2,6 +2,7 @@
 #include "core/experiment/elastic_start.hpp"
 #include "core/experiment/model.hpp"
 #include "core/experiment/rate_control.hpp"
+#include "core/experiment/unloading.hpp"
 
 namespace asperity {
 
@@ -16,8 +17,9 @@ struct LoadingState {
   double zero_distance_mm = 0;  ///< Platen distance at zero closure (start, or after the hydrostatic stage).
   GaugeReading zero_gauges;
   DilationReading zero_dilation;  ///< Direct shear: under the normal load alone.
-  int stages = 0;  ///< Staged: stages finished.
+  int stages = 0;                 ///< Staged: stages finished.
   RateControlState rate_control;
+  UnloadingState unloading;
   ElasticStart elastic_start;
   double elastic_start_closure_mm = 0;  ///< Closed by the elastic start.
 };

@@ -11,6 +11,7 @@
 #include "core/contact/closed_forms.hpp"
 #include "core/geometry/specimen.hpp"
 #include "core/integrator/time_step.hpp"
+#include "core/mechanism/mechanism.hpp"
 
 namespace asperity {
 namespace {
@@ -121,8 +122,9 @@ double peak_limit(const RunConfig& config) {
   return shear ? std::numeric_limits<double>::infinity() : config.measurement.peak_strain_limit;
 }
 
-Model build_model(const RunConfig& config, const ParallelLoops& loops) {
+Model build_model(const RunConfig& given, const ParallelLoops& loops) {
   Model model;
+  const RunConfig config = with_mechanisms(given);
   model.config = config;
   const LawParameters law = law_parameters(config);
   const bool shear = config.experiment.type == ExperimentType::direct_shear;
@@ -130,9 +132,13 @@ Model build_model(const RunConfig& config, const ParallelLoops& loops) {
   model.mesh = shear ? joint_mesh(config, zones) : make_mesh(config.experiment, config.particles);
   System& system = model.system;
   system.particles = make_particles(model.mesh, config.particles, config.experiment.plane);
+  if (std::isfinite(config.extensions.yield_stress_mpa)) {
+    set_yield_stress(system.particles, config.extensions.yield_stress_mpa);
+  }
   if (shear) model.joint = make_joint(config, model.mesh, zones, system);
   system.contacts =
       make_contacts(model.mesh, system.particles, law, config.contacts.law.reading, config.contacts.law.form);
+  mark_contacts(config, model.mesh, system.particles, system.contacts);
   system.general = make_general_contacts(system.particles, general_contact_law(config.contacts, law));
   if (config.contacts.general.enabled) system.contacts.hand_over_range = kHandOverRange;
   if (!shear) {

@@ -82,7 +82,8 @@ StopReason stop_reason(const Model& model, RunState& state) {
     return sheared ? StopReason::shear_displacement : StopReason::strain;
   }
   if (stop.time_s && last.time_s >= *stop.time_s) return StopReason::time;
-  if (stop.fraction_of_peak && last.cracks_tension + last.cracks_shear > 0) {
+  const bool virgin = !inside_loop(state.loading.unloading, last.closure_mm);
+  if (stop.fraction_of_peak && virgin && last.cracks_tension + last.cracks_shear > 0) {
     double peak = 0.0;
     for (const Sample& s : state.samples) peak = std::max(peak, s.stress_mpa);
     state.samples_below = last.stress_mpa < *stop.fraction_of_peak * peak ? state.samples_below + 1 : 0;
@@ -124,8 +125,11 @@ Frame frame_of(const Model& model, const RunState& state) {
   Frame frame = capture_frame(model.system, model.config, state.samples, state.frames);
   if (model.config.experiment.type != ExperimentType::direct_shear) return frame;
   const JointProfile& profile = model.joint.profile;
-  frame.joint = {profile.length(), profile.highest() - profile.lowest(), model.config.experiment.stop.shear_displacement_mm,
-                 closure(model, state.loading), state.samples.back().joint.dilation.mean,
+  frame.joint = {profile.length(),
+                 profile.highest() - profile.lowest(),
+                 model.config.experiment.stop.shear_displacement_mm,
+                 closure(model, state.loading),
+                 state.samples.back().joint.dilation.mean,
                  model.system.blocks[kUpperBlock].displacement.y};
   for (const std::uint8_t lower : model.joint.gauge.lower) frame.half.push_back(lower ? 0 : 1);
   return frame;
@@ -193,8 +197,8 @@ RunState start_run(Model& model) {
 
 std::int64_t steps_per_sample(const Model& model) {
   const ExperimentConfig& e = model.config.experiment;
-  const double rate = e.type == ExperimentType::direct_shear ? e.loading.shear_rate_mm_per_s
-                                                             : e.loading.closing_rate_mm_per_s;
+  const double rate =
+      e.type == ExperimentType::direct_shear ? e.loading.shear_rate_mm_per_s : e.loading.closing_rate_mm_per_s;
   const double duration = stop_strain(model.config) * specimen_length(model.config) / rate;
   return std::max<std::int64_t>(1, std::llround(duration / model.system.time_step / model.config.measurement.samples));
 }

@@ -91,6 +91,7 @@ Json energy_entries(const EnergyBalance& e) {
           {"friction_n_mm", e.friction},
           {"damping_n_mm", e.damping},
           {"kinetic_n_mm", e.kinetic},
+          {"plasticity_n_mm", e.plasticity},
           {"created_by_law_n_mm", e.created_by_law},
           {"relative_closure_error", relative_closure_error(e)}};
 }
@@ -144,10 +145,11 @@ std::vector<std::string> find_warnings(const Model& model, const RunState& state
                                    100.0 * relative_closure_error(e), 100.0 * kClosureLimit));
   }
   if (peak.at_end) {
-    warnings.push_back(sheared(model) ? "no peak was passed: the largest shear stress stands at the end" : fmt::format(
-        "no peak was passed: the largest stress stands at the end of the range searched (axial strain {:.4g}); "
-        "the strength is a lower bound",
-        peak.axial_strain));
+    warnings.push_back(sheared(model) ? "no peak was passed: the largest shear stress stands at the end"
+                                      : fmt::format("no peak was passed: the largest stress stands at the end of the "
+                                                    "range searched (axial strain {:.4g}); "
+                                                    "the strength is a lower bound",
+                                                    peak.axial_strain));
   }
   const double ratio = loading_kinetic_ratio(state, peak);
   if (ratio > kKineticLimit) {

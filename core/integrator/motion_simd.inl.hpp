@@ -49,9 +49,14 @@ struct Elasticity {
         twice_shear(hn::IfThenElse(inside, set(2.0 * in.shear), set(2.0 * out.shear))) {}
 };
 
-/// biot_state() and corner_forces() of core/particles, operation by operation.
-HWY_INLINE Corners elastic_forces(const PackedShapes& shape, const Batch& batch, const Corners& x,
-                                  const Elasticity& c) {
+/// A triangle's motion against its shape: gradients, rotation and Biot strain, Eq. (P2).
+struct Strain {
+  Points gp, gq;
+  Real cosine, sine, e11, e22, e12;
+};
+
+/// biot_state() of core/particles up to the strain, operation by operation.
+HWY_INLINE Strain biot_strain(const PackedShapes& shape, const Batch& batch, const Corners& x) {
   const Points p = x[1] - x[0], q = x[2] - x[0];
   const Points gp{shape_row(shape.g1x, batch), shape_row(shape.g1y, batch)};
   const Points gq{shape_row(shape.g2x, batch), shape_row(shape.g2y, batch)};
@@ -60,21 +65,79 @@ HWY_INLINE Corners elastic_forces(const PackedShapes& shape, const Batch& batch,
   const Real a = Add(xx, yy), b = Sub(yx, xy);
   const Real r = hn::Div(set(1.0), hn::Sqrt(Add(Mul(a, a), Mul(b, b))));
   const Real cosine = Mul(a, r), sine = Mul(b, r);
-  const Real e11 = Sub(Add(Mul(cosine, xx), Mul(sine, yx)), set(1.0));
-  const Real e22 = Sub(Sub(Mul(cosine, yy), Mul(sine, xy)), set(1.0));
-  const Real e12 = Add(Mul(cosine, xy), Mul(sine, yy));
-  const Real t11 = Add(Mul(c.c11, e11), Mul(c.c12, e22));
-  const Real t22 = Add(Mul(c.c12, e11), Mul(c.c11, e22));
-  const Real t12 = Mul(c.twice_shear, e12);
-  const Real p11 = Sub(Mul(cosine, t11), Mul(sine, t12)), p12 = Sub(Mul(cosine, t12), Mul(sine, t22));
-  const Real p21 = Add(Mul(sine, t11), Mul(cosine, t12)), p22 = Add(Mul(sine, t12), Mul(cosine, t22));
+  return {gp,
+          gq,
+          cosine,
+          sine,
+          Sub(Add(Mul(cosine, xx), Mul(sine, yx)), set(1.0)),
+          Sub(Sub(Mul(cosine, yy), Mul(sine, xy)), set(1.0)),
+          Add(Mul(cosine, xy), Mul(sine, yy))};
+}
+
+/// Biot stress with its skew part, Eq. (P8), as t12 and t21.
+struct BiotStress {
+  Real t11, t22, t12, t21;
+};
+
+/// corner_forces() of core/particles, operation by operation.
+HWY_INLINE Corners corner_forces(const PackedShapes& shape, const Batch& batch, const Strain& s, const BiotStress& t) {
+  const Real p11 = Sub(Mul(s.cosine, t.t11), Mul(s.sine, t.t21)), p12 = Sub(Mul(s.cosine, t.t12), Mul(s.sine, t.t22));
+  const Real p21 = Add(Mul(s.sine, t.t11), Mul(s.cosine, t.t21)), p22 = Add(Mul(s.sine, t.t12), Mul(s.cosine, t.t22));
   const Real minus_area = hn::Neg(shape_row(shape.area, batch));
   const auto force = [&](const Points& g) {
     return Points{Mul(minus_area, Add(Mul(p11, g.x), Mul(p12, g.y))),
                   Mul(minus_area, Add(Mul(p21, g.x), Mul(p22, g.y)))};
   };
-  const Points f1 = force(gp), f2 = force(gq);
+  const Points f1 = force(s.gp), f2 = force(s.gq);
   return {Points{Sub(hn::Neg(f1.x), f2.x), Sub(hn::Neg(f1.y), f2.y)}, f1, f2};
+}
+
+HWY_INLINE Corners elastic_forces(const PackedShapes& shape, const Batch& batch, const Corners& x,
+                                  const Elasticity& c) {
+  const Strain s = biot_strain(shape, batch, x);
+  const Real t12 = Mul(c.twice_shear, s.e12);
+  return corner_forces(
+      shape, batch, s,
+      {Add(Mul(c.c11, s.e11), Mul(c.c12, s.e22)), Add(Mul(c.c12, s.e11), Mul(c.c11, s.e22)), t12, t12});
+}
+
+/// set_stress() of core/particles.
+HWY_INLINE BiotStress plastic_stress(const Elasticity& c, Real e11, Real e22, Real e12, Real difference, Real shear) {
+  const Real t11 = Add(Mul(c.c11, e11), Mul(c.c12, e22)), t22 = Add(Mul(c.c12, e11), Mul(c.c11, e22));
+  const Real t12 = Mul(c.twice_shear, e12);
+  const Real twist = Sub(Mul(Sub(t11, t22), shear), Mul(Mul(set(2.0), t12), difference));
+  const Real spin = hn::Div(hn::Neg(twist), Add(Add(set(2.0), e11), e22));
+  return {t11, t22, Add(t12, spin), Sub(t12, spin)};
+}
+
+/// update_triangle() of core/particles, operation by operation; lanes of infinite half_yield stay elastic.
+HWY_INLINE Corners yielding_forces(const PackedShapes& shape, PackedPlasticity& memory, const Batch& batch,
+                                   const Corners& x, const Elasticity& c, Real half_yield) {
+  const Strain s = biot_strain(shape, batch, x);
+  const std::size_t at = batch.first % kBlock;
+  Real difference = hn::Load(kDoubles, memory.difference.data() + at);
+  Real shear = hn::Load(kDoubles, memory.shear.data() + at);
+  Real e11 = Sub(s.e11, difference), e22 = Add(s.e22, difference), e12 = Sub(s.e12, shear);
+  const Real t11 = Add(Mul(c.c11, e11), Mul(c.c12, e22)), t22 = Add(Mul(c.c12, e11), Mul(c.c11, e22));
+  const Real t12 = Mul(c.twice_shear, e12), half = Mul(set(0.5), Sub(t11, t22));
+  const Real radius = hn::Sqrt(Add(Mul(half, half), Mul(t12, t12)));
+  const hn::Mask<Doubles> yields = hn::Gt(radius, half_yield);
+  if (!hn::AllFalse(kDoubles, yields)) {
+    const Real compliance = hn::Div(set(1.0), c.twice_shear);
+    const Real excess = hn::IfThenElseZero(yields, Mul(compliance, Sub(set(1.0), hn::Div(half_yield, radius))));
+    const Real normal = Mul(excess, half), sheared = Mul(excess, t12);
+    difference = Add(difference, normal);
+    shear = Add(shear, sheared);
+    e11 = Sub(e11, normal);
+    e22 = Add(e22, normal);
+    e12 = Sub(e12, sheared);
+    const Real spent = Mul(Mul(Mul(set(2.0), half_yield), compliance), Sub(radius, half_yield));
+    const Real work = hn::Load(kDoubles, memory.work.data() + at);
+    hn::Store(Add(work, hn::IfThenElseZero(yields, spent)), kDoubles, memory.work.data() + at);
+    hn::Store(difference, kDoubles, memory.difference.data() + at);
+    hn::Store(shear, kDoubles, memory.shear.data() + at);
+  }
+  return corner_forces(shape, batch, s, plastic_stress(c, e11, e22, e12, difference, shear));
 }
 
 /// Lanes whose bits are set.

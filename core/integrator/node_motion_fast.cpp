@@ -19,6 +19,8 @@ struct Arrays {
   const double* mass;
   const int* slot_of_edge;
   const PackedShapes* shapes;
+  PackedPlasticity* plasticity;  ///< nullptr: particles do not yield.
+  Real half_yield;
   Elasticity elastic;
   explicit Arrays(System& s)
       : position(s.particles.position.data()),
@@ -27,6 +29,8 @@ struct Arrays {
         mass(s.particles.mass.data()),
         slot_of_edge(s.contacts.slot_of_edge.data()),
         shapes(s.particles.shapes.data()),
+        plasticity(s.particles.plasticity.empty() ? nullptr : s.particles.plasticity.data()),
+        half_yield(set(s.particles.half_yield)),
         elastic(s.particles.elastic) {}
 };
 
@@ -133,7 +137,10 @@ HWY_INLINE void move_batch(System& system, const Arrays& arrays, const Batch& ba
                            std::size_t& next_load, LaneSums& lane_sums, NodeSums& sums) {
   const Corners x{load_corner(arrays.position, batch, 0), load_corner(arrays.position, batch, 1),
                   load_corner(arrays.position, batch, 2)};
-  Corners force = elastic_forces(arrays.shapes[batch.first / kBlock], batch, x, arrays.elastic);
+  const PackedShapes& shape = arrays.shapes[batch.first / kBlock];
+  Corners force = arrays.plasticity ? yielding_forces(shape, arrays.plasticity[batch.first / kBlock], batch, x,
+                                                      arrays.elastic, arrays.half_yield)
+                                    : elastic_forces(shape, batch, x, arrays.elastic);
   for (std::size_t k = 0; k < 3; ++k) {
     force[k] = (force[k] + slot_forces(arrays, batch, k, 0)) + slot_forces(arrays, batch, (k + 2) % 3, 1);
   }

@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/integrator/motion_simd.inl.hpp"
 #include "core/integrator/node_motion.hpp"
@@ -13,12 +14,26 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity::HWY_NAMESPACE {
 
 /// Elastic constants of a batch's triangles; one set where none lies in an elastic part.
-Elasticity elasticity_of(const Particles& p, const Batch& batch) {
-  unsigned bulk = 0;
-  if (!p.in_bulk.empty()) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) bulk |= unsigned{p.in_bulk[batch.at(lane)]} << lane;
-  }
+Elasticity elasticity_of(const Particles& p, unsigned bulk) {
   return bulk == 0 ? Elasticity(p.elastic) : Elasticity(p.bulk, p.elastic, lanes_of(bulk));
+}
+
+/// Which triangles of a batch lie in an elastic part, one bit each.
+unsigned bulk_lanes(const Particles& p, const Batch& batch) {
+  unsigned bulk = 0;
+  if (p.in_bulk.empty()) return bulk;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) bulk |= unsigned{p.in_bulk[batch.at(lane)]} << lane;
+  return bulk;
+}
+
+/// Of triangles, where those in an elastic part do not yield.
+Corners forces_of(Particles& p, const Batch& batch, const Corners& x) {
+  const std::size_t block = batch.first / kBlock;
+  const unsigned bulk = bulk_lanes(p, batch);
+  if (p.plasticity.empty()) return elastic_forces(p.shapes[block], batch, x, elasticity_of(p, bulk));
+  const Real never = set(std::numeric_limits<double>::infinity());
+  const Real half_yield = hn::IfThenElse(lanes_of(bulk), never, set(p.half_yield));
+  return yielding_forces(p.shapes[block], p.plasticity[block], batch, x, elasticity_of(p, bulk), half_yield);
 }
 
 Points corner_points(const Particles& p, const Batch& batch, std::size_t k) {
@@ -26,12 +41,12 @@ Points corner_points(const Particles& p, const Batch& batch, std::size_t k) {
 }
 
 void write_corner_forces(System& system, std::size_t begin, std::size_t end) {
-  const Particles& p = system.particles;
+  Particles& p = system.particles;
   Vec2* corners = system.forces.data() + 2 * system.contacts.slot_count();
   for (std::size_t first = begin; first < end; first += kLanes) {
     const Batch batch{first, std::min(kLanes, end - first)};
     const Corners x{corner_points(p, batch, 0), corner_points(p, batch, 1), corner_points(p, batch, 2)};
-    const Corners force = elastic_forces(p.shapes[first / kBlock], batch, x, elasticity_of(p, batch));
+    const Corners force = forces_of(p, batch, x);
     for (std::size_t k = 0; k < 3; ++k) {
       Vec2 written[kLanes];
       store_points(force[k], [&](std::size_t lane) { return &written[lane].x; });

@@ -68,11 +68,9 @@ NodeSums move_nodes(System& system, const ParallelLoops& loops) {
 }  // namespace
 
 void compute_corner_forces(System& system, std::size_t begin, std::size_t end) {
-  const Particles& p = system.particles;
   const std::size_t corners = 2 * system.contacts.slot_count();
   for (std::size_t t = begin; t < end; ++t) {
-    const TriangleShape shape = p.shape(t);
-    const auto force = corner_forces(shape, biot_state(deformation_gradient(shape, p.corners(t)), p.elastic_of(t)));
+    const auto force = corner_forces(system.particles.shape(t), update_triangle(system.particles, t));
     for (std::size_t k = 0; k < 3; ++k) system.forces[corners + 3 * t + k] = force[k];
   }
 }

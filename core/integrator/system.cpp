@@ -74,7 +74,7 @@ Vec2 internal_force(const System& system, std::size_t node) {
   const Particles& p = system.particles;
   const std::size_t t = node / 3, k = node % 3;
   const TriangleShape shape = p.shape(t);
-  const Vec2 elastic = corner_forces(shape, biot_state(deformation_gradient(shape, p.corners(t)), p.elastic_of(t)))[k];
+  const Vec2 elastic = corner_forces(shape, triangle_state(p, t))[k];
   const std::vector<int>& slot = system.contacts.slot_of_edge;
   return elastic + system.forces[2 * slot[node]] + system.forces[2 * slot[3 * t + (k + 2) % 3] + 1];
 }
@@ -87,6 +87,19 @@ double elastic_energy(const Particles& particles, const ParallelLoops& loops) {
   });
 }
 
+namespace {
+
+double total_plastic_work(const Particles& particles, const ParallelLoops& loops) {
+  if (particles.plasticity.empty()) return 0.0;
+  return loops.sum_blocks<double>(particles.triangle_count(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t t = begin; t < end; ++t) sum += plastic_work(particles, t);
+    return sum;
+  });
+}
+
+}  // namespace
+
 EnergyBalance energy_balance(const System& system, const ParallelLoops& loops) {
   const ContactEnergies contacts = contact_energies(system.contacts, loops);
   const GeneralContactEnergies general = general_contact_energies(system.general, loops);
@@ -95,6 +108,7 @@ EnergyBalance energy_balance(const System& system, const ParallelLoops& loops) {
   e.elastic = elastic_energy(system.particles, loops);
   e.recoverable = contacts.recoverable + general.normal + general.tangential + system.sums.platen_energy;
   e.fracture = contacts.fracture;
+  e.plasticity = total_plastic_work(system.particles, loops);
   e.friction = contacts.friction + system.general.friction_energy + system.platen_friction_energy;
   e.damping = system.damping_energy + system.general.damping_energy;
   e.kinetic = system.sums.kinetic;

@@ -48,14 +48,14 @@ struct PlatenSprings {
 
 /// A rigid block bonded to some nodes, which all have its velocity; Eqs. (I21)-(I23). It does not rotate.
 struct RigidBlock {
-  std::vector<int> nodes;      ///< Ascending.
-  double mass = 0;             ///< Of its nodes, tonne per mm of thickness: the block itself has none.
-  bool free_along_y = false;   ///< It follows the forces along y; its velocity is given otherwise.
-  double load = 0;             ///< On a free one, along y, N per mm of thickness.
-  Vec2 velocity;               ///< mm/s during the coming step.
-  Vec2 last_velocity;          ///< During the last step.
-  Vec2 reaction;               ///< Force of the specimen on the block at the last update, N per mm of thickness.
-  Vec2 displacement;           ///< mm, since the start.
+  std::vector<int> nodes;     ///< Ascending.
+  double mass = 0;            ///< Of its nodes, tonne per mm of thickness: the block itself has none.
+  bool free_along_y = false;  ///< It follows the forces along y; its velocity is given otherwise.
+  double load = 0;            ///< On a free one, along y, N per mm of thickness.
+  Vec2 velocity;              ///< mm/s during the coming step.
+  Vec2 last_velocity;         ///< During the last step.
+  Vec2 reaction;              ///< Force of the specimen on the block at the last update, N per mm of thickness.
+  Vec2 displacement;          ///< mm, since the start.
 };
 
 /// External forces (N per mm of thickness) on the few nodes that bear any, in ascending order.
@@ -87,13 +87,15 @@ struct EnergyBalance {
   double friction = 0;
   double damping = 0;
   double kinetic = 0;
+  double plasticity = 0;      ///< Spent on plastic strain of particles that yield, Eq. (P7).
   double created_by_law = 0;  ///< Literal law only: what the law itself adds; not part of the balance.
-  double sum() const { return elastic + recoverable + fracture + friction + damping + kinetic; }
+  double sum() const { return elastic + recoverable + fracture + friction + damping + kinetic + plasticity; }
   double error() const { return external_work - sum(); }
   /// Of a specimen so many mm thick, in N mm.
   EnergyBalance times(double thickness) const {
-    return {external_work * thickness, elastic * thickness, recoverable * thickness, fracture * thickness,
-            friction * thickness,      damping * thickness, kinetic * thickness,     created_by_law * thickness};
+    return {external_work * thickness, elastic * thickness,    recoverable * thickness,
+            fracture * thickness,      friction * thickness,   damping * thickness,
+            kinetic * thickness,       plasticity * thickness, created_by_law * thickness};
   }
 };
 

@@ -65,12 +65,15 @@ std::optional<ElasticResult> fit_moduli(std::span<const Sample> samples, const P
   const StressRange window{base + config.measurement.modulus_window_low * (peak.stress_mpa - base),
                            base + config.measurement.modulus_window_high * (peak.stress_mpa - base)};
   std::vector<double> stress, axial, lateral;
+  double farthest = 0.0;
   for (const Sample& s : samples.first(peak.index)) {
+    if (s.closure_mm < farthest) continue;  // a loop of unloading
+    farthest = s.closure_mm;
     stress.push_back(s.stress_mpa);
     axial.push_back(s.gauge_axial_strain);
     lateral.push_back(s.lateral_strain);
   }
-  return elastic_slopes({stress, axial, lateral}, peak.index, window, config.experiment.plane);
+  return elastic_slopes({stress, axial, lateral}, stress.size(), window, config.experiment.plane);
 }
 
 double splitting_stress(double load_n_per_mm, double diameter_mm) {

@@ -86,6 +86,7 @@ const std::vector<Column<Sample>>& energy_table() {
       {"friction_n_mm", [](const Sample& s) -> CsvCell { return s.energy.friction; }},
       {"damping_n_mm", [](const Sample& s) -> CsvCell { return s.energy.damping; }},
       {"kinetic_n_mm", [](const Sample& s) -> CsvCell { return s.energy.kinetic; }},
+      {"plasticity_n_mm", [](const Sample& s) -> CsvCell { return s.energy.plasticity; }},
       {"created_by_law_n_mm", [](const Sample& s) -> CsvCell { return s.energy.created_by_law; }},
       {"closure_error_n_mm", [](const Sample& s) -> CsvCell { return s.energy.error(); }},
   };

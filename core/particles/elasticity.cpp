@@ -21,10 +21,11 @@ TriangleShape triangle_shape(Vec2 a, Vec2 b, Vec2 c) {
 }
 
 std::array<double, 4> cauchy_stress(const DeformationGradient& f, const BiotState& s, const ElasticConstants& c) {
-  const double p11 = s.cosine * s.t11 - s.sine * s.t12;
-  const double p12 = s.cosine * s.t12 - s.sine * s.t22;
-  const double p21 = s.sine * s.t11 + s.cosine * s.t12;
-  const double p22 = s.sine * s.t12 + s.cosine * s.t22;
+  const double t21 = s.t12 - s.spin, t12 = s.t12 + s.spin;
+  const double p11 = s.cosine * s.t11 - s.sine * t21;
+  const double p12 = s.cosine * t12 - s.sine * s.t22;
+  const double p21 = s.sine * s.t11 + s.cosine * t21;
+  const double p22 = s.sine * t12 + s.cosine * s.t22;
   const double inverse = 1.0 / f.jacobian();
   const double xx = inverse * (p11 * f.xx + p12 * f.xy);
   const double yy = inverse * (p21 * f.yx + p22 * f.yy);

@@ -45,6 +45,7 @@ struct BiotState {
   double cosine, sine;
   double e11, e22, e12;
   double t11, t22, t12;
+  double spin = 0;  ///< Skew part that P needs where t and U have other axes, Eq. (P8); 0 without plastic strain.
   double energy_density() const { return 0.5 * (t11 * e11 + t22 * e22) + t12 * e12; }
 };
 
@@ -64,13 +65,56 @@ inline BiotState biot_state(const DeformationGradient& f, const ElasticConstants
   return s;
 }
 
+/// Plastic Biot strain of a triangle, at constant area: half the difference of its normal components, and the shear
+/// one.
+struct PlasticStrain {
+  double difference = 0, shear = 0;
+};
+
+/// Elastic stress of the strain as it is, and the spin, Eq. (P8), for a plastic strain.
+inline void set_stress(BiotState& s, const ElasticConstants& c, const PlasticStrain& plastic) {
+  s.t11 = c.c11 * s.e11 + c.c12 * s.e22;
+  s.t22 = c.c12 * s.e11 + c.c11 * s.e22;
+  s.t12 = 2.0 * c.shear * s.e12;
+  const double twist = (s.t11 - s.t22) * plastic.shear - 2.0 * s.t12 * plastic.difference;
+  s.spin = -twist / (2.0 + s.e11 + s.e22);
+}
+
+/// The same beyond a plastic strain, Eqs. (P7), (P8): e becomes the elastic strain.
+inline BiotState biot_state(const DeformationGradient& f, const ElasticConstants& c, const PlasticStrain& plastic) {
+  BiotState s = biot_state(f, c);
+  s.e11 -= plastic.difference;
+  s.e22 += plastic.difference;
+  s.e12 -= plastic.shear;
+  set_stress(s, c, plastic);
+  return s;
+}
+
+/// Lets a state that passes half of the yield stress Y (MPa) slip back onto it, Eq. (P7). Returns the work that the
+/// slip took, N mm per mm3.
+inline double yield(BiotState& s, PlasticStrain& plastic, const ElasticConstants& c, double half_yield) {
+  const double difference = 0.5 * (s.t11 - s.t22);
+  const double radius = std::sqrt(difference * difference + s.t12 * s.t12);
+  if (radius <= half_yield) return 0.0;
+  const double compliance = 1.0 / (2.0 * c.shear), excess = compliance * (1.0 - half_yield / radius);
+  const double normal = excess * difference, shear = excess * s.t12;
+  plastic.difference += normal;
+  plastic.shear += shear;
+  s.e11 -= normal;
+  s.e22 += normal;
+  s.e12 -= shear;
+  set_stress(s, c, plastic);
+  return 2.0 * half_yield * compliance * (radius - half_yield);
+}
+
 /// Forces on the three corners (N per mm of thickness): f_a = -A (R t) grad N_a, Eq. (P4), the exact gradient of Eq.
 /// (P3).
 inline std::array<Vec2, 3> corner_forces(const TriangleShape& shape, const BiotState& s) {
-  const double p11 = s.cosine * s.t11 - s.sine * s.t12;
-  const double p12 = s.cosine * s.t12 - s.sine * s.t22;
-  const double p21 = s.sine * s.t11 + s.cosine * s.t12;
-  const double p22 = s.sine * s.t12 + s.cosine * s.t22;
+  const double t21 = s.t12 - s.spin, t12 = s.t12 + s.spin;
+  const double p11 = s.cosine * s.t11 - s.sine * t21;
+  const double p12 = s.cosine * t12 - s.sine * s.t22;
+  const double p21 = s.sine * s.t11 + s.cosine * t21;
+  const double p22 = s.sine * t12 + s.cosine * s.t22;
   std::array<Vec2, 3> force;
   for (int i = 1; i < 3; ++i) {
     const Vec2 g = shape.gradient[i];

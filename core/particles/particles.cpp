@@ -70,14 +70,40 @@ Particles make_particles(const Mesh& mesh, const ParticleConfig& config, PlaneCo
   return particles;
 }
 
+void set_yield_stress(Particles& particles, double yield_stress_mpa) {
+  particles.half_yield = 0.5 * yield_stress_mpa;
+  particles.plasticity.assign(particles.shapes.size(), PackedPlasticity{});
+}
+
+BiotState triangle_state(const Particles& particles, std::size_t t) {
+  const DeformationGradient f = deformation_gradient(particles.shape(t), particles.corners(t));
+  return biot_state(f, particles.elastic_of(t), particles.plastic(t));
+}
+
+double plastic_work(const Particles& particles, std::size_t t) {
+  if (particles.plasticity.empty()) return 0.0;
+  return particles.shape(t).area * particles.plasticity[t / PackedShapes::kSize].work[t % PackedShapes::kSize];
+}
+
+BiotState update_triangle(Particles& particles, std::size_t t) {
+  BiotState state = triangle_state(particles, t);
+  if (!particles.yields(t)) return state;
+  PackedPlasticity& block = particles.plasticity[t / PackedShapes::kSize];
+  const std::size_t i = t % PackedShapes::kSize;
+  PlasticStrain plastic = particles.plastic(t);
+  block.work[i] += yield(state, plastic, particles.elastic_of(t), particles.half_yield);
+  block.difference[i] = plastic.difference;
+  block.shear[i] = plastic.shear;
+  return state;
+}
+
 double triangle_energy(const Particles& particles, std::size_t t) {
-  const TriangleShape shape = particles.shape(t);
-  return shape.area * biot_state(deformation_gradient(shape, particles.corners(t)), particles.elastic_of(t)).energy_density();
+  return particles.shape(t).area * triangle_state(particles, t).energy_density();
 }
 
 std::array<double, 4> triangle_stress(const Particles& particles, std::size_t t) {
   const DeformationGradient f = deformation_gradient(particles.shape(t), particles.corners(t));
-  return cauchy_stress(f, biot_state(f, particles.elastic_of(t)), particles.elastic_of(t));
+  return cauchy_stress(f, triangle_state(particles, t), particles.elastic_of(t));
 }
 
 }  // namespace asperity

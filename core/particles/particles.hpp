@@ -18,6 +18,11 @@ struct alignas(64) PackedShapes {
   Row g1x, g1y, g2x, g2y, area;
 };
 
+/// What eight triangles that may yield remember, field by field: plastic strain, Eq. (P7), and the work it took, N/mm2.
+struct alignas(64) PackedPlasticity {
+  PackedShapes::Row difference, shear, work;
+};
+
 /// The deformable particles: nodes that belong to one particle alone, and constant-strain triangles between them.
 /// Lengths mm, velocities mm/s, masses tonne per mm of thickness. Velocities belong to the half step before the
 /// positions.
@@ -30,11 +35,19 @@ struct Particles {
   std::vector<PackedShapes> shapes;
   std::vector<int> grain;
   ElasticConstants elastic;
-  ElasticConstants bulk;              ///< Of the triangles that stand for the intact material.
-  std::vector<std::uint8_t> in_bulk;  ///< 1: such a triangle; empty: there are none.
+  ElasticConstants bulk;                     ///< Of the triangles that stand for the intact material.
+  std::vector<std::uint8_t> in_bulk;         ///< 1: such a triangle; empty: there are none.
+  std::vector<PackedPlasticity> plasticity;  ///< Empty: particles do not yield.
+  double half_yield = 0;  ///< MPa, half of Y of Eq. (P7); triangles of the intact material do not yield.
   bool separate = false;  ///< Every triangle is a particle, and its nodes are 3 t, 3 t + 1, 3 t + 2.
 
   const ElasticConstants& elastic_of(std::size_t t) const { return in_bulk.empty() || !in_bulk[t] ? elastic : bulk; }
+  bool yields(std::size_t t) const { return !plasticity.empty() && (in_bulk.empty() || !in_bulk[t]); }
+  PlasticStrain plastic(std::size_t t) const {
+    if (plasticity.empty()) return {};
+    const PackedPlasticity& block = plasticity[t / PackedShapes::kSize];
+    return {block.difference[t % PackedShapes::kSize], block.shear[t % PackedShapes::kSize]};
+  }
   std::size_t node_count() const { return position.size(); }
   std::size_t triangle_count() const { return triangles.size(); }
   std::array<Vec2, 3> corners(std::size_t t) const {
@@ -53,6 +66,18 @@ struct Particles {
 /// Particles at rest on a mesh: one node for every pair of grain and vertex, a third of each triangle's mass on each
 /// corner.
 Particles make_particles(const Mesh& mesh, const ParticleConfig& config, PlaneCondition plane);
+
+/// Lets particles yield at a largest difference of in-plane principal stresses, MPa; Eq. (P7). Call once.
+void set_yield_stress(Particles& particles, double yield_stress_mpa);
+
+/// Biot state of one triangle at the present positions, with its plastic strain as it is.
+BiotState triangle_state(const Particles& particles, std::size_t triangle);
+
+/// Work spent on plastic strain in one triangle so far, N mm per mm of thickness; Eq. (P7).
+double plastic_work(const Particles& particles, std::size_t triangle);
+
+/// The state at the present positions after the triangle has yielded, which is kept.
+BiotState update_triangle(Particles& particles, std::size_t triangle);
 
 /// Elastic energy of one triangle (N mm per mm of thickness), Eq. (P3).
 double triangle_energy(const Particles& particles, std::size_t triangle);

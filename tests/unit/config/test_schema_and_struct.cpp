@@ -31,7 +31,11 @@ std::set<std::string> schema_leaves() {
 /// An array that the key may have and that is not its default.
 json other_array(std::string_view pointer) {
   if (pointer == "/output/fields") return {"damage"};
-  if (pointer == "/joint/profile") return json::array({{{"angle_deg", 15.0}, {"height_mm", 3.0}, {"gap_before_mm", 1.0}}});
+  if (pointer == "/joint/profile")
+    return json::array({{{"angle_deg", 15.0}, {"height_mm", 3.0}, {"gap_before_mm", 1.0}}});
+  if (pointer == "/experiment/loading/unloading") return json::array({{{"at_mm", 0.2}, {"stress_ratio", 0.3}}});
+  if (pointer == "/mechanisms")
+    return json::array({{{"type", "platen_friction"}, {"amplitude", 0.5}, {"friction_coefficient", 0.1}}});
   if (pointer == "/joint/points_mm") return json::array({json::array({0.0, 0.0}), json::array({9.0, 1.0})});
   return {0.3, 0.4};
 }

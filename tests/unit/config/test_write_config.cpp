@@ -78,7 +78,10 @@ TEST_CASE("every key that has a meaning is written, with its default; unset and 
   CHECK(disc.at("contacts").at("law").at("reading") == "default");
   CHECK_FALSE(disc.at("experiment").contains("width_mm"));
   CHECK_FALSE(disc.at("integration").contains("time_step_s"));
-  const json odd = json::parse(effective_json(unusual()));
+  RunConfig all = unusual();
+  all.mechanisms = {{"of_the_library", 0.5, {{"a_parameter", 2.0}}}};  // which only core/mechanism could read back
+  const json odd = json::parse(effective_json(all));
+  CHECK(odd.at("mechanisms") == json::parse(R"([{"type": "of_the_library", "amplitude": 0.5, "a_parameter": 2.0}])"));
   for (const Binding& binding : bindings()) {
     INFO(binding.pointer);
     CHECK(odd.contains(json::json_pointer(std::string(binding.pointer))) == applies(unusual(), binding.pointer));
