@@ -153,6 +153,9 @@ void plot_energy(const CsvData& energy, const Abscissa& abscissa, const std::fil
       area("damping", "damping_n_mm"),
       area("kinetic", "kinetic_n_mm"),
       {"external work", strain, energy.numbers("external_work_n_mm"), {SeriesKind::line, VerticalAxis::left, 0}}};
+  if (energy.has("plasticity_n_mm") && energy.numbers("plasticity_n_mm").back() > 0.0) {
+    plot.series.insert(plot.series.end() - 1, area("plastic strain, particles", "plasticity_n_mm"));
+  }
   render::write_plot(plot, path);
 }
 

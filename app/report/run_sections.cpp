@@ -51,6 +51,8 @@ Markup energy_table(const Value& energy) {
     table.rows.push_back({{name, html::number(amount), html::fixed(100 * amount / work, 2)}});
   };
   for (const std::string& key : energy_keys()) add(energy_name(key), energy[key].number());
+  const Value plasticity = energy["plasticity_n_mm"];  // runs from before particles could yield have none
+  if (plasticity.exists() && plasticity.number() != 0.0) add("plastic strain of the particles", plasticity.number());
   add("external work", work);
   return html::table(table);
 }

@@ -40,6 +40,7 @@ AFTER = {
     "friction_n_mm": 0.35,  # 0.12 seen
     "damping_n_mm": 1.0,  # 0.35 seen: it comes with the single breaks
     "kinetic_n_mm": 2.0,  # 0.64 seen: peaks of single breaks; the bar only keeps their order of magnitude
+    "plasticity_n_mm": 1e-9,  # zero: particles do not yield
     "created_by_law_n_mm": 1e-9,  # zero under the default law
     "closure_error_n_mm": 2.0,  # 0.68 seen: a remainder; only its order of magnitude is compared
 }
