@@ -165,7 +165,7 @@ bool rate_control_holds(const RateControlState& control, double now) {
 bool unloading_holds(const UnloadingState& state, const RunConfig& config) {
   const auto most = static_cast<int>(config.experiment.loading.unloading.size());
   return state.begun >= 0 && state.begun <= most && (state.back == 0 || (state.back == 1 && state.begun > 0)) &&
-         within(state.direction, -1.0, 1.0) && all_finite({state.load, state.turn_load, state.turn_mm});
+         within(state.direction, -1.0, 1.0) && all_finite({state.load, state.trend, state.turn_load, state.turn_mm});
 }
 
 bool elastic_start_holds(const ElasticStart& start) {

@@ -10,6 +10,7 @@ struct UnloadingState {
   int back = 0;          ///< 1: the drive is to run backwards.
   double direction = 1;  ///< Its rate over that of loading, 1 to -1, on its way from one to the other.
   double load = 0;       ///< Present load, smoothed, N per mm of thickness.
+  double trend = 0;      ///< Its change, smoothed, N per mm and s.
   double turn_load = 0;  ///< At which the last loop began.
   double turn_mm = 0;    ///< Displacement there.
 };

@@ -86,3 +86,27 @@ TEST_CASE("Triangle forces are the gradient of the elastic energy under finite r
     CHECK(norm(force[i] + slope) < 1e-7 * norm(force[i]));  // truncation (h / edge)^2 = 1e-10, rounding 1e-11
   }
 }
+
+TEST_CASE("Forces of a triangle with plastic strain are the gradient of its energy, and turn nothing") {
+  const System system = test::make_system(test::grid_mesh({1, 1}));
+  Particles p = system.particles;
+  set_yield_stress(p, 1.0);
+  p.plasticity[0].difference[0] = 0.07;
+  p.plasticity[0].shear[0] = -0.11;
+  std::vector<Vec2> x = turned_and_shaken(p, GENERATE(0.0, 1.1, 3.0), 0.2);
+  const auto energy = [&](const std::vector<Vec2>& y) {
+    p.position = y;
+    return triangle_energy(p, 0);
+  };
+  energy(x);
+  const auto force = corner_forces(p.shape(0), triangle_state(p, 0));
+  double moment = 0.0, arm = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto node = static_cast<std::size_t>(p.triangles[0][i]);
+    const Vec2 slope = difference(x, node, 1e-5, energy);
+    CHECK(norm(force[i] + slope) < 1e-7 * norm(force[i]));  // as above
+    moment += cross(x[node] - x[static_cast<std::size_t>(p.triangles[0][0])], force[i]);
+    arm += norm(force[i]);
+  }
+  CHECK(std::abs(moment) < 1e-12 * arm);
+}

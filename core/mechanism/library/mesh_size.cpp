@@ -1,3 +1,4 @@
+#include "core/contact/closed_forms.hpp"
 #include "core/mechanism/mechanism.hpp"
 
 namespace asperity {
@@ -25,9 +26,12 @@ const Registered kEntry{{
                     .allows_elastic_start = true},
     .set =
         [](const MechanismValues& value, RunConfig& config) {
-          ParticleConfig& particles = config.particles;
-          particles.edge_mm *= value("edge_factor");
-          if (particles.edge_deviation_mm) *particles.edge_deviation_mm *= value("edge_factor");
+          const double factor = value("edge_factor");
+          const DerivedParameters before = derive(config, config.experiment.plane);
+          config.contacts.tensile_stiffness_mpa_per_mm = before.k_t / factor;
+          config.contacts.shear_stiffness_mpa_per_mm = before.k_s / factor;
+          config.particles.edge_mm *= factor;
+          if (config.particles.edge_deviation_mm) *config.particles.edge_deviation_mm *= factor;
         },
 }};
 

@@ -164,6 +164,22 @@ TEST_CASE("a staged test goes on from a checkpoint in a hold to the same bits") 
   check_round_trip(config, 150, "staged.bin");
 }
 
+TEST_CASE("a test with yielding particles goes on from a checkpoint inside a loop of unloading to the same bits") {
+  RunConfig config = small_config(ExperimentType::uniaxial);
+  config.experiment.loading.closing_rate_mm_per_s = 800;
+  config.experiment.loading.unloading = {{0.15, 0.3}};
+  config.experiment.stop.axial_strain = 0.006;
+  config.mechanisms = {{"particle_plasticity", std::nullopt, {{"yield_over_strength", 0.1}}}};
+  Run run(config);
+  int steps = 0;
+  RunObserver observer;
+  observer.interrupted = [&] { return run.state.loading.unloading.back == 1 && ++steps == 20; };
+  run_experiment(run.model, run.state, ParallelLoops(), observer);
+  REQUIRE(run.state.stop == StopReason::interrupted);
+  REQUIRE(energy_balance(run.model.system, ParallelLoops()).plasticity > 0.0);
+  check_round_trip(config, static_cast<int>(run.model.system.step), "loop.bin");
+}
+
 TEST_CASE("a run goes on from a checkpoint after any step to the same bits") {
   RunConfig config = short_disc();
   config.experiment.stop.axial_strain = 0.0015;
