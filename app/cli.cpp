@@ -216,6 +216,24 @@ void add_mechanisms(CLI::App& cli, Action& action) {
   command->callback([=, &action] { action = [=] { return mechanisms_command(*options); }; });
 }
 
+void add_gallery(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<GalleryOptions>();
+  CLI::App* command = cli.add_subcommand(
+      "gallery", "Shows what every mechanism does to every experiment: curves, patterns and features on common meshes");
+  command->add_option("config", options->bases,
+                      "Bases, one run configuration an experiment; default configs/gallery/*.json");
+  command->add_option("--mechanism", options->mechanisms, "Only this one; may be repeated")->expected(1)->take_all();
+  command->add_option("--seeds", options->seeds, "Meshes of each test")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 100));
+  command->add_option("--out", options->out, "Folder for gallery.html, .md and .json; default outputs/gallery/");
+  add_campaign_options(*command, options->session);
+  command->footer(
+      "Examples:\n  asperity gallery\n"
+      "  asperity gallery configs/gallery/uniaxial.json --mechanism platen_friction --mechanism seating --seeds 2");
+  command->callback([=, &action] { action = [=] { return gallery_command(*options); }; });
+}
+
 void add_info(CLI::App& cli, Action& action) {
   CLI::App* command = cli.add_subcommand("info", "Prints version, revision, libraries and machine");
   command->footer("Example:\n  asperity info");
@@ -248,7 +266,7 @@ int run_command_line(int argc, char** argv) {
   Action action;
   for (const auto add :
        {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_report, add_audit, add_campaign,
-        add_calibrate, add_features, add_mechanisms, add_acceleration, add_bench, add_info}) {
+        add_calibrate, add_features, add_mechanisms, add_gallery, add_acceleration, add_bench, add_info}) {
     add(cli, action);
   }
   try {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/campaign_session.hpp"
+#include "core/config/mechanism_declaration.hpp"
 
 /// The subcommands of `asperity`: each takes plain options, prints results on stdout, and returns an exit code.
 namespace asperity::app {
@@ -112,6 +113,20 @@ struct MechanismsOptions {
 };
 
 int mechanisms_command(const MechanismsOptions& options);
+
+/// The mechanism of this id; throws Error(usage) with what may be meant where there is none.
+const MechanismDeclaration& mechanism_or_fault(const std::string& id);
+
+struct GalleryOptions {
+  std::vector<std::filesystem::path> bases{"configs/gallery/uniaxial.json", "configs/gallery/triaxial.json",
+                                           "configs/gallery/brazilian.json", "configs/gallery/direct_shear.json"};
+  std::vector<std::string> mechanisms;  ///< None: the whole library.
+  int seeds = 3;
+  std::optional<std::filesystem::path> out;  ///< Unset: outputs/gallery/.
+  CampaignSessionOptions session;
+};
+
+int gallery_command(const GalleryOptions& options);
 
 int info_command();
 

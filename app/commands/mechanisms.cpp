@@ -60,7 +60,9 @@ void print_list(const std::vector<MechanismDeclaration>& all) {
   for (const MechanismDeclaration& m : all) std::cout << std::left << std::setw(22) << m.id << m.title << "\n";
 }
 
-const MechanismDeclaration& wanted(const std::string& id) {
+}  // namespace
+
+const MechanismDeclaration& mechanism_or_fault(const std::string& id) {
   if (const MechanismDeclaration* m = find_mechanism(id)) return *m;
   std::vector<std::string> ids;
   std::string allowed;
@@ -73,11 +75,9 @@ const MechanismDeclaration& wanted(const std::string& id) {
               {{"mechanism", "is none of the library", id, allowed, near.empty() ? "" : "did you mean " + near + "?"}});
 }
 
-}  // namespace
-
 int mechanisms_command(const MechanismsOptions& options) {
   std::vector<MechanismDeclaration> chosen;
-  for (const std::string& id : options.ids) chosen.push_back(wanted(id));
+  for (const std::string& id : options.ids) chosen.push_back(mechanism_or_fault(id));
   const bool all = chosen.empty();
   if (all) chosen = declared_mechanisms();
   if (options.json) {

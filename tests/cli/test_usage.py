@@ -5,7 +5,7 @@ import support
 from support import SOURCE, asperity
 
 CONFIG = SOURCE / "configs/quickstart.json"
-COMMANDS = ["run", "resume", "validate", "schema", "derive", "render", "audit", "campaign", "calibrate", "features", "mechanisms", "acceleration", "info"]
+COMMANDS = ["run", "resume", "validate", "schema", "derive", "render", "audit", "campaign", "calibrate", "features", "mechanisms", "gallery", "acceleration", "info"]
 
 # Closed forms for the paper's plaster: GPa/mm, N/mm and mm as the paper and its audit print them, rounded to four digits.
 DERIVED = {
