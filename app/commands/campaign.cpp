@@ -7,6 +7,7 @@
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
+#include "app/joint_envelope.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/log.hpp"
 #include "core/base/output_error.hpp"
@@ -60,6 +61,7 @@ int campaign_command(const CampaignCommandOptions& options) {
     std::cerr << "interrupted; the same command goes on from there\n";
     return kExitInterrupted;
   }
+  draw_joint_envelope(config, outcomes, out);
   std::cout << (out / "table.csv").string() << std::endl;
   return exit_code_of(outcomes);
 }

@@ -45,8 +45,15 @@ std::string failure_of(const GalleryRuns& part) {
   return "";
 }
 
+/// "peak_axial_stress_mpa": "peak axial stress": the unit is told apart.
 std::string words(std::string_view name) {
   std::string text(name);
+  for (const std::string_view unit : {"_n_per_mm", "_mpa_per_mm", "_mpa", "_gpa", "_mm", "_deg"}) {
+    if (text.ends_with(unit)) {
+      text.resize(text.size() - unit.size());
+      break;
+    }
+  }
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
 }

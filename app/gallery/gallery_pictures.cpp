@@ -1,14 +1,12 @@
 #include "app/gallery/gallery_pictures.hpp"
 
-#include "app/pictures.hpp"
 #include "app/run_frames.hpp"
-#include "core/base/atomic_file.hpp"
 #include "core/config/enum_words.hpp"
-#include "core/config/read_config.hpp"
-#include "core/output/run_folder.hpp"
+#include "core/output/csv.hpp"
 #include "render/charts.hpp"
 #include "render/paint.hpp"
 #include "render/scene.hpp"
+#include "render/series.hpp"
 #include "render/style.hpp"
 
 namespace asperity::app {
@@ -69,17 +67,17 @@ std::optional<GalleryPicture> draw_curves(const Gallery& gallery, const Mechanis
 
 std::optional<GalleryPicture> draw_pattern(const GalleryRuns& part, const fs::path& folder) {
   if (part.outcomes.empty() || part.outcomes.front().status != RunStatus::finished) return std::nullopt;
-  const RunFolder run = RunFolder::open(part.outcomes.front().folder);
-  const OutputConfig output = read_run_config(run.effective_config()).output;
-  if (output.frames == 0) return std::nullopt;
-  draw_frames(run, output, {"cracks"}, "last");
-  const CsvData curves = read_csv(run.curves());
-  const std::vector<RunFrame> frames = run_frames(run.root(), curves, part.experiment);
-  if (frames.empty()) return std::nullopt;
+  const fs::path& run = part.outcomes.front().folder;
+  const RunConfig& config = part.runs.front().config;
+  if (config.output.frames == 0) return std::nullopt;
+  Frame frame = render::read_frame(run, static_cast<int>(render::series_times(run).size()) - 1);
+  frame.name = part.mechanism.empty() ? "base" : part.mechanism;
+  render::PictureOptions options;
+  options.width = config.output.width_px;
+  options.height = config.output.height_px;
   const std::string name = std::string(word(part.experiment)) + (part.mechanism.empty() ? "" : "_" + part.mechanism);
   const fs::path png = fs::path("patterns") / (name + ".png");
-  write_file_atomically(folder / png,
-                        read_file(render::picture_path(run.root(), render::Field::cracks, frames.back().number)));
+  render::draw_frame(frame, options, folder / png);
   return GalleryPicture{png, "Cracks at the end of the " + heading_of(part.experiment) + " test " +
                                  (part.mechanism.empty() ? "without mechanisms" : "with " + part.mechanism)};
 }

@@ -112,13 +112,15 @@ HWY_INLINE BiotStress plastic_stress(const Elasticity& c, Real e11, Real e22, Re
 
 /// update_triangle() of core/particles, operation by operation; lanes of infinite half_yield stay elastic.
 HWY_INLINE Corners yielding_forces(const PackedShapes& shape, PackedPlasticity& memory, const Batch& batch,
-                                   const Corners& x, const Elasticity& c, Real half_yield) {
+                                   const Corners& x, const Elasticity& c, Real virgin) {
   const Strain s = biot_strain(shape, batch, x);
   const std::size_t at = batch.first % kBlock;
   Real difference = hn::Load(kDoubles, memory.difference.data() + at);
   Real shear = hn::Load(kDoubles, memory.shear.data() + at);
   Real e11 = Sub(s.e11, difference), e22 = Add(s.e22, difference), e12 = Sub(s.e12, shear);
   const Real t11 = Add(Mul(c.c11, e11), Mul(c.c12, e22)), t22 = Add(Mul(c.c12, e11), Mul(c.c11, e22));
+  const Real square = Add(Mul(difference, difference), Mul(shear, shear));
+  const Real half_yield = Mul(virgin, Add(set(1.0), Mul(set(kLocking), square)));
   const Real t12 = Mul(c.twice_shear, e12), half = Mul(set(0.5), Sub(t11, t22));
   const Real radius = hn::Sqrt(Add(Mul(half, half), Mul(t12, t12)));
   const hn::Mask<Doubles> yields = hn::Gt(radius, half_yield);

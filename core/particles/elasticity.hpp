@@ -90,9 +90,15 @@ inline BiotState biot_state(const DeformationGradient& f, const ElasticConstants
   return s;
 }
 
-/// Lets a state that passes half of the yield stress Y (MPa) slip back onto it, Eq. (P7). Returns the work that the
-/// slip took, N mm per mm3.
-inline double yield(BiotState& s, PlasticStrain& plastic, const ElasticConstants& c, double half_yield) {
+/// Plastic strain at which the yield stress has doubled, Eq. (P7): particles then lock before they turn over.
+inline constexpr double kLockingStrain = 0.2;
+inline constexpr double kLocking = 1.0 / (kLockingStrain * kLockingStrain);
+
+/// Lets a state that passes half of the yield stress Y (MPa, of a virgin particle) slip back onto it, Eq. (P7). Returns
+/// the work that the slip took, N mm per mm3.
+inline double yield(BiotState& s, PlasticStrain& plastic, const ElasticConstants& c, double virgin) {
+  const double square = plastic.difference * plastic.difference + plastic.shear * plastic.shear;
+  const double half_yield = virgin * (1.0 + kLocking * square);
   const double difference = 0.5 * (s.t11 - s.t22);
   const double radius = std::sqrt(difference * difference + s.t12 * s.t12);
   if (radius <= half_yield) return 0.0;

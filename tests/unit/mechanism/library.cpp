@@ -1,12 +1,10 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/config/enum_words.hpp"
 #include "core/config/read_config.hpp"
-#include "core/config/schema.hpp"
 #include "core/config/write_config.hpp"
 #include "core/mechanism/mechanism.hpp"
 
@@ -135,7 +133,14 @@ TEST_CASE("a mechanism that would leave a setting out of range is refused with i
                   Error);
 }
 
-TEST_CASE("the schema's file is the one the library makes") {
-  std::ifstream file(ASPERITY_SOURCE_DIR "/configs/schema/run.schema.json");
-  CHECK(schema_text("run") == std::string(std::istreambuf_iterator<char>(file), {}));
+TEST_CASE("the page on own mechanisms shows a file that is compiled, and that enters itself") {
+  const auto text_of = [](const std::string& path) {
+    std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + path);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string code = text_of("/tests/unit/mechanism/settled_casting.cpp");
+  REQUIRE(code.size() > 500);
+  CHECK(text_of("/docs/own_mechanism.md").find("```cpp\n" + code + "```") != std::string::npos);
+  CHECK(find_mechanism("settled_casting"));
+  CHECK(read(ExperimentType::uniaxial, R"([{"type":"settled_casting","gradient":0.2}])").mechanisms.size() == 1);
 }
