@@ -38,6 +38,7 @@ struct CrackRow {
 void draw_crack_swatch(Drawing& drawing, CrackMode mode, Vec2 a, Vec2 b, double unit) {
   using namespace style;
   if (mode == CrackMode::tension) add_line(drawing, a, b, {kTension, kTensionWidth * unit, {}, Cap::round});
+  if (mode == CrackMode::defect) add_line(drawing, a, b, {kDefect, kDefectWidth * unit, {}, Cap::round});
   if (mode == CrackMode::softening) add_line(drawing, a, b, {kSoftening, kSofteningWidth * unit, {}, Cap::round});
   if (mode != CrackMode::shear) return;
   add_line(drawing, a, b, {kShear, kShearWidth * unit, {}, Cap::round});
@@ -47,11 +48,13 @@ void draw_crack_swatch(Drawing& drawing, CrackMode mode, Vec2 a, Vec2 b, double 
 double draw_crack_key(Drawing& drawing, const Frame& frame, const Box& room, double unit) {
   const CrackRow rows[] = {{CrackMode::tension, "Broken in tension"},
                            {CrackMode::shear, "Broken in shear"},
-                           {CrackMode::softening, "Softening, not broken"}};
+                           {CrackMode::softening, "Softening, not broken"},
+                           {CrackMode::defect, "Open before the test"}};
   double y = room.top + 0.5 * kRow * unit;
   for (const auto& [mode, text] : rows) {
     const auto count = std::count_if(frame.cracks.begin(), frame.cracks.end(),
                                      [wanted = mode](const CrackSegment& crack) { return crack.mode == wanted; });
+    if (mode == CrackMode::defect && count == 0) continue;
     draw_crack_swatch(drawing, mode, {room.left + 6 * unit, y}, {room.left + kSwatch * unit, y}, unit);
     draw_row_text(drawing, {room.left + (kSwatch + 20) * unit, y}, fmt::format("{}: {}", text, count), unit,
                   room.right);

@@ -122,6 +122,7 @@ void draw_cracks(Drawing& drawing, const Frame& frame, CrackMode mode, const Str
 
 void draw_crack_network(Drawing& drawing, const Frame& frame, const View& view, double unit) {
   using namespace style;
+  draw_cracks(drawing, frame, CrackMode::defect, {kDefect, kDefectWidth * unit, {}, Cap::round}, view);
   draw_cracks(drawing, frame, CrackMode::softening, {kSoftening, kSofteningWidth * unit, {}, Cap::round}, view);
   draw_cracks(drawing, frame, CrackMode::shear, {kShear, kShearWidth * unit, {}, Cap::round}, view);
   draw_cracks(drawing, frame, CrackMode::shear, {kShearCore, kShearCoreWidth * unit, {}, Cap::round}, view);

@@ -29,6 +29,8 @@ inline constexpr Colour kBlue{0x00, 0x72, 0xB2}, kVermilion{0xD5, 0x5E, 0x00}, k
 /// Tension: one thick blue line. Shear: a wider vermilion line with a white core, so it is told apart in grey too.
 inline constexpr Colour kTension = kBlue, kShear = kVermilion, kShearCore = kPaper, kSoftening{0x9B, 0x86, 0xA9};
 inline constexpr double kTensionWidth = 5, kShearWidth = 8, kShearCoreWidth = 2.6, kSofteningWidth = 2;
+inline constexpr Colour kDefect = kOutline;  ///< Open before the test: no crack of it.
+inline constexpr double kDefectWidth = 1;
 /// Broken contacts over a coloured field: dark with a white casing, so they show on dark and on light.
 inline constexpr Colour kBroken = kInk, kBrokenCasing = kPaper;
 inline constexpr double kBrokenWidth = 2, kBrokenCasingWidth = 4.5;

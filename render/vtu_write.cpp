@@ -207,7 +207,7 @@ std::string cracks_vtu(const Frame& frame) {
   const auto grid = line_grid(frame.cracks);
   add_crack_fields(grid->GetCellData(), frame.cracks);
   add_head(grid->GetFieldData(), frame,
-           {"points [mm]", "TimeValue [s]", "mode: 0 softening, 1 tension, 2 shear", "damage [-]", "opening [mm]",
+           {"points [mm]", "TimeValue [s]", "mode: 0 softening, 1 tension, 2 shear, 3 open before the test", "damage [-]", "opening [mm]",
             "slip [mm]", "break_time [s], -1 while softening", "energy [N mm]"});
   return bytes_of(grid);
 }

@@ -70,7 +70,7 @@ std::array<PointState, 2> BondedContacts::points(std::size_t c) const {
   std::array<PointState, 2> result = memory.load(c);
   if (reading == LawReading::literal) return result;
   const int index = broken_index[c];
-  const LawParameters present = index < 0 ? law : edge_update::weighted(law, broken[index].hand_over.weight);
+  const LawParameters present = edge_update::weighted(law_of(*this, c), weight(c));
   for (std::size_t q = 0; q < 2; ++q) {
     if (index >= 0) result[q].broken = broken[index].points[q];
     consistent_law::set_traction(result[q], present);
@@ -90,6 +90,10 @@ double BondedContacts::strength(std::size_t c) const {
 
 double BondedContacts::break_time(std::size_t c) const {
   return broken_index[c] < 0 ? -1.0 : broken[broken_index[c]].break_time;
+}
+
+bool BondedContacts::is_defect(std::size_t c) const {
+  return broken_index[c] >= 0 && broken[broken_index[c]].defect == 1;
 }
 
 double BondedContacts::weight(std::size_t c) const {
@@ -124,6 +128,10 @@ void set_strengths(BondedContacts& contacts, const std::vector<double>& factors)
   for (std::size_t c = 0; c < factors.size(); ++c) contacts.strengths[c / kPacked].factor[c % kPacked] = factors[c];
 }
 
+LawParameters law_of(const BondedContacts& contacts, std::size_t c) {
+  return contacts.strengths.empty() ? contacts.law : scaled(contacts.law, contacts.strength(c));
+}
+
 void open_from_start(BondedContacts& contacts, std::size_t c) {
   std::array<PointState, 2> points = contacts.memory.load(c);
   for (PointState& s : points) {
@@ -132,7 +140,9 @@ void open_from_start(BondedContacts& contacts, std::size_t c) {
     s.broken = BreakMode::tension;
   }
   contacts.set_points(c, points);
-  contacts.broken_edge(c).break_time = 0.0;
+  BrokenEdge& broken = contacts.broken_edge(c);
+  broken.break_time = 0.0;
+  broken.defect = 1;
 }
 
 void add_hand_over_force(const BondedContacts& contacts, std::size_t c, double general_energy,
@@ -147,9 +157,9 @@ void add_hand_over_force(const BondedContacts& contacts, std::size_t c, double g
   const double distance = distance_since_breakage(h, gap, range);
   if (distance == 0.0 || distance >= 1.0) return;
   double own_energy = broken.end_stops.energy;
+  const LawParameters of_point = weighted(contacts.law, 0.5 * edge.length);  // its energies are N mm per mm of thickness
   for (const PointState& s : contacts.memory.load(c)) {
-    const double closed = std::min(0.0, s.normal);
-    own_energy += 0.25 * edge.length * contacts.law.k_t * closed * closed;
+    if (s.normal < 0.0) own_energy += consistent_law::closing_energy(s.normal, of_point);
   }
   const double slope = -4.0 * (1.0 - distance) / (range * range) * (own_energy - general_energy);
   const double along_normal = slope * std::max(0.0, gap.opening - h.opening);
@@ -171,7 +181,7 @@ namespace {
 
 ContactEnergies edge_energies(const BondedContacts& contacts, std::size_t c) {
   const double area = 0.5 * contacts.edges[c].length, weight = contacts.weight(c);
-  const LawParameters law = edge_update::weighted(contacts.law, weight);
+  const LawParameters law = edge_update::weighted(law_of(contacts, c), weight);
   ContactEnergies sum;
   if (contacts.broken_index[c] >= 0) {
     sum.recoverable = weight * contacts.broken[contacts.broken_index[c]].end_stops.energy;

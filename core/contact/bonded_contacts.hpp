@@ -43,7 +43,8 @@ struct EndStops {
 /// What an edge remembers once one of its points is broken.
 struct BrokenEdge {
   std::array<BreakMode, 2> points{BreakMode::none, BreakMode::none};
-  double break_time = -1;  ///< s, when the second point broke; -1 before.
+  std::uint8_t defect = 0;  ///< 1 where it was open before the test.
+  double break_time = -1;   ///< s, when the second point broke; -1 before.
   HandOver hand_over;
   EndStops end_stops;
 };
@@ -83,6 +84,8 @@ struct BondedContacts {
 
   double break_time(std::size_t contact) const;  ///< s; -1 while the edge holds.
   bool is_broken(std::size_t contact) const { return break_time(contact) >= 0.0; }
+  bool is_defect(std::size_t contact) const;  ///< Open before the test.
+  bool is_crack(std::size_t contact) const { return is_broken(contact) && !is_defect(contact); }
   double weight(std::size_t contact) const;  ///< Of its own pair's law, see HandOver.
   /// Its entry in the list of broken edges, a new one where it had none.
   BrokenEdge& broken_edge(std::size_t contact);
@@ -98,7 +101,11 @@ BondedContacts make_contacts(const Mesh& mesh, const Particles& particles, const
 /// Gives every contact its own strength, a factor above 0 each, Eq. (C57).
 void set_strengths(BondedContacts& contacts, const std::vector<double>& factors);
 
-/// Breaks a contact before anything moves: a defect, which transmits pressure and friction and nothing else.
+/// The law of one contact, with its strength, Eq. (C57).
+LawParameters law_of(const BondedContacts& contacts, std::size_t contact);
+
+/// Breaks a contact before anything moves: a defect, which transmits pressure and friction and nothing else. It is no
+/// crack of the test.
 void open_from_start(BondedContacts& contacts, std::size_t contact);
 
 /// Midline frame of a contact edge and its separations; Eqs. (C15), (C16).

@@ -50,7 +50,7 @@ inline void damage_contact(PointState& s, double normal, double shear, double li
   if (size.square() <= s.hardening * s.hardening) return;
   const double kappa = std::sqrt(size.square());
   s.hardening = kappa;
-  s.damage = std::max(s.damage, consistent_law::damage_at(kappa, size.opening, 0.0, p));
+  s.damage = std::max(s.damage, consistent_law::damage_at(kappa, size.opening, p.c_c, p));
   const double g = std::min(s.integrity_s, consistent_law::secant_factor(kappa, s.damage));
   const double part = s.integrity_s - g;
   s.fracture_energy += 0.5 * part * p.k_t * std::max(0.0, s.normal) * std::max(0.0, normal);

@@ -130,7 +130,8 @@ bool update_whole_edge(BondedContacts& contacts, std::size_t c, const std::vecto
   const double length = contacts.edges[c].length;
   const ContactFrame frame = contact_frame(contacts.edges[c], position);
   std::array<PointState, 2> points = contacts.memory.load(c);
-  const auto update_point = [&](PointState& s, double n, double t) { law(s, n, t, contacts.law); };
+  const LawParameters parameters = law_of(contacts, c);
+  const auto update_point = [&](PointState& s, double n, double t) { law(s, n, t, parameters); };
   EdgeTraction sum;
   add_point(sum, points[0], frame, kNearGauss, kFarGauss, update_point);
   add_point(sum, points[1], frame, kFarGauss, kNearGauss, update_point);
@@ -164,7 +165,7 @@ bool update_broken_edge(BondedContacts& contacts, std::size_t c, const std::vect
       return true;
     }
   }
-  const LawParameters parameters = weighted(contacts.law, h.weight);
+  const LawParameters parameters = weighted(law_of(contacts, c), h.weight);
   const auto update_point = [&](PointState& s, double n, double t) { law(s, n, t, parameters); };
   EdgeTraction sum;
   add_point(sum, points[0], frame, kNearGauss, kFarGauss, update_point);

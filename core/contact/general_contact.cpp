@@ -5,6 +5,7 @@
 
 #include "core/base/units.hpp"
 #include "core/contact/pair_weight.hpp"
+#include "core/contact/surface_wear.hpp"
 #include "core/contact/touch_entry.hpp"
 #include "core/contact/touch_force.hpp"
 
@@ -205,14 +206,16 @@ void hand_over(GeneralContacts& general, const BondedContacts& bonded, const Par
 
 }  // namespace
 
-GeneralContactLaw general_contact_law(const ContactConfig& config, const LawParameters& law) {
-  const auto surface = [&](const SurfaceConfig& s) -> SurfaceLaw {
+GeneralContactLaw general_contact_law(const RunConfig& config, const LawParameters& law) {
+  const auto surface = [&](const SurfaceConfig& s, const FrictionWear& wear) -> SurfaceLaw {
     const double tan_phi = s.friction_angle_deg ? std::tan(*s.friction_angle_deg * units::kRadPerDeg) : law.tan_phi;
-    return {tan_phi, s.normal_stiffness_mpa_per_mm.value_or(law.k_t), s.shear_stiffness_mpa_per_mm.value_or(law.k_s)};
+    const double k_n = s.normal_stiffness_mpa_per_mm.value_or(law.k_t);
+    return {tan_phi, k_n, s.shear_stiffness_mpa_per_mm.value_or(law.k_s), wear};
   };
-  return {config.general.enabled,
-          {surface(config.general.outline), surface(config.general.fracture)},
-          config.general.damping_ratio};
+  const GeneralContactConfig& general = config.contacts.general;
+  const std::array surfaces{surface(general.outline, config.extensions.outline_wear),
+                            surface(general.fracture, config.extensions.fracture_wear)};
+  return {general.enabled, surfaces, general.damping_ratio};
 }
 
 void update_frames(GeneralContacts& general, const Particles& particles, const ParallelLoops& loops) {
@@ -236,6 +239,7 @@ void update_general_contacts(GeneralContacts& general, const BondedContacts& bon
   append_begun(general, begun);
   enter_changes(general, ended);
   press(general, particles, time_step, ended, loops, forces);
+  add_wear(general);
   hand_over(general, bonded, particles, forces);
 }
 

@@ -12,13 +12,14 @@
 #include "core/contact/slip_ledger.hpp"
 #include "core/particles/particles.hpp"
 
-/// General contact: every exposed edge may touch any other. Eqs. (C40)-(C52) of core/contact/README.md.
+/// General contact: every exposed edge may touch any other. Eqs. (C40)-(C56) of core/contact/README.md.
 namespace asperity {
 
 /// Friction and penalty of one kind of surface.
 struct SurfaceLaw {
   double tan_phi = 0;
   double k_n = 0, k_s = 0;  ///< Normal and tangential penalty, MPa/mm.
+  FrictionWear wear = {};   ///< Of tan_phi, Eqs. (C55), (C56).
 };
 
 struct GeneralContactLaw {
@@ -29,7 +30,7 @@ struct GeneralContactLaw {
 
 /// What a config says about surfaces, on top of the contacts' own law; on breakage their friction goes on unchanged
 /// unless the config says otherwise.
-GeneralContactLaw general_contact_law(const ContactConfig& config, const LawParameters& law);
+GeneralContactLaw general_contact_law(const RunConfig& config, const LawParameters& law);
 
 /// Seat of a pair that has not met since it last parted.
 inline constexpr double kUnseated = std::numeric_limits<double>::infinity();
@@ -59,6 +60,7 @@ struct EdgeFriction {
   double length = 0;   ///< Effective length of contact, Eq. (C47), mm.
   double slip = 0;     ///< Elastic tangential displacement, mm.
   double damping = 0;  ///< Viscous normal force, N per mm of thickness.
+  double wear = 0;     ///< In the last update, mm; Eq. (C56).
   TouchPoint point;
 };
 
@@ -79,6 +81,11 @@ inline constexpr double kTakenOver = 0.5;
 /// Forces on the corners of two touching triangles: first a's, then b's. N per mm of thickness.
 using PairForces = std::array<Vec2, 6>;
 
+/// What an edge's entries have rubbed in one update.
+struct EdgeRubbing {
+  double length = 0, wear = 0;  ///< mm; length times wear, mm2.
+};
+
 /// Members, pairs within reach, and the contacts alive. Everything up to `largest_seat` is the state
 /// of a run.
 struct GeneralContacts {
@@ -92,7 +99,8 @@ struct GeneralContacts {
   std::vector<int> chain_contacts;
   std::vector<int> handing_over;  ///< Bonded contacts broken and not yet released.
   std::vector<Touch> touches;
-  double travel = 0;  ///< mm: bound of what any node has moved since the last search.
+  std::vector<double> wear;  ///< Of each triangle's edges so far, mm, Eq. (C56); empty where no surface wears.
+  double travel = 0;         ///< mm: bound of what any node has moved since the last search.
   std::uint8_t search_due = 1;
   std::int64_t searches = 0;
   double friction_energy = 0, damping_energy = 0;  ///< N mm per mm of thickness, up to now.
@@ -104,6 +112,8 @@ struct GeneralContacts {
   SlipLedger ledger;                    ///< Work space, like all below.
   std::vector<PairForces> forces;
   std::vector<double> set_free;
+  std::vector<EdgeRubbing> rubbing;  ///< Of each triangle's edges, and which are not zero.
+  std::vector<int> rubbing_edges;
   std::vector<std::uint8_t> alive;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <initializer_list>
 
 /// Plain data shared by the contact laws. One contact point has a normal separation (mm, opening positive) and a shear
 /// displacement (mm); tractions are MPa, energies N/mm (per unit of contact area).
@@ -18,13 +19,23 @@ struct LawParameters {
   double kappa_us = 1;                ///< delta_us / delta_cs: end of softening in pure shear; 1: breaks at the peak.
   double inverse_delta_ct = 0;        ///< 1 / delta_ct, 1/mm.
   double coulomb = 0;  ///< Literal law: tan(phi_c) where Eq 6's peak is c_c + sigma_n tan(phi_c), else 0.
-  double tan_phi_peak =
-      0;  ///< Of the intact share's strength; tan(phi_c) in the base model. Default law, like the rest.
+  double tan_phi_peak = 0;       ///< Of the intact share's strength, at least tan(phi_c), which it is in the base model.
   double envelope_exponent = 1;  ///< Of that strength over the pressure, Eq. (D10); 1: straight.
   double closure_share = 0;      ///< 1 - k_0 / k_t of normal closing, Eq. (D11); 0: linear.
   double closure_length = 1;     ///< Of the same, mm.
   double opening_shear = 1;      ///< Literal law: factor on Eq 3's shear component, 1 (k_t) or k_s / k_t.
 };
+
+/// The law of a contact of another strength, Eq. (C57): strengths and critical displacements times `factor` > 0 at the
+/// same stiffness, so that displacements and tractions grow alike and energies with the square.
+inline LawParameters scaled(const LawParameters& law, double factor) {
+  LawParameters result = law;
+  for (double* value : {&result.t_c, &result.c_c, &result.delta_ct, &result.delta_cs, &result.delta_ut}) {
+    *value *= factor;
+  }
+  result.inverse_delta_ct /= factor;
+  return result;
+}
 
 /// Everything a contact point remembers.
 struct PointState {

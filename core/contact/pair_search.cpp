@@ -4,6 +4,7 @@
 #include "core/base/units.hpp"
 #include "core/contact/corner_walk.hpp"
 #include "core/contact/general_contact.hpp"
+#include "core/contact/surface_wear.hpp"
 #include "core/geometry/near_boxes.hpp"
 
 namespace asperity {
@@ -262,6 +263,7 @@ GeneralContacts make_general_contacts(const Particles& particles, const GeneralC
   GeneralContacts general;
   general.law = law;
   if (!law.enabled) return general;
+  if (wears(law)) general.wear.assign(3 * particles.triangle_count(), 0.0);
   const double mean_edge = mean_particle_edge(particles);
   general.skin = kSkin * mean_edge;
   general.play = kPlay * mean_edge;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/contact/surface_wear.hpp"
+
 namespace asperity {
 namespace {
 
@@ -20,6 +22,13 @@ SurfaceLaw together(const SurfaceLaw& a, const SurfaceLaw& b) {
   return {std::min(a.tan_phi, b.tan_phi), series(a.k_n, b.k_n), series(a.k_s, b.k_s)};
 }
 
+/// Law of an exposed edge's surface as it has worn so far, Eq. (C55).
+SurfaceLaw present_surface(const GeneralContacts& general, const ContactMember& member, int k) {
+  SurfaceLaw law = general.law.surfaces[member.surface[k]];
+  if (!general.wear.empty()) law.tan_phi = worn_friction(law, general.wear[3 * member.triangle + k]);
+  return law;
+}
+
 }  // namespace
 
 TouchPoint touch_point(const PresentTriangle& own, const PresentTriangle& other, int k, const EdgePart& part) {
@@ -34,10 +43,13 @@ TouchPoint touch_point(const PresentTriangle& own, const PresentTriangle& other,
 
 SurfaceLaw surface_law(const GeneralContacts& general, const Entry& entry, Vec2 at) {
   const ContactMember &own = general.members[entry.own], &other = general.members[entry.other];
-  const int own_kind = own.surface[entry.k];
-  const int other_kind = other.surface[nearest_edge(general.frames[entry.other], at)];
-  if (other_kind < 0 || own_kind == other_kind) return general.law.surfaces[own_kind];
-  return together(general.law.surfaces[own_kind], general.law.surfaces[other_kind]);
+  const int facing = nearest_edge(general.frames[entry.other], at);
+  SurfaceLaw law = present_surface(general, own, entry.k);
+  if (other.surface[facing] < 0) return law;
+  const SurfaceLaw other_law = present_surface(general, other, facing);
+  if (own.surface[entry.k] != other.surface[facing]) return together(law, other_law);
+  law.tan_phi = std::min(law.tan_phi, other_law.tan_phi);
+  return law;
 }
 
 void fix_penalties(const GeneralContacts& general, Touch& touch) {

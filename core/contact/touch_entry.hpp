@@ -23,7 +23,13 @@ inline Vec2 position_on_edge(const PresentTriangle& t, int k, double s) { return
 /// Where the forces of edge k's part inside `other` act: the centre of the depth.
 TouchPoint touch_point(const PresentTriangle& own, const PresentTriangle& other, int k, const EdgePart& part);
 
-/// Law of the surfaces that meet at an entry; where the other triangle's nearest edge is not exposed, the own alone.
+/// Law of the surface of an entry's own edge, which must be exposed.
+inline const SurfaceLaw& own_surface(const GeneralContacts& general, const Entry& entry) {
+  return general.law.surfaces[general.members[entry.own].surface[entry.k]];
+}
+
+/// Law of the surfaces that meet at an entry, as they have worn so far; where the other triangle's nearest edge is not
+/// exposed, the own alone.
 SurfaceLaw surface_law(const GeneralContacts& general, const Entry& entry, Vec2 at);
 
 inline bool is_exposed(const GeneralContacts& general, const Entry& entry) {

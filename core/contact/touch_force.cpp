@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/surface_wear.hpp"
 #include "core/contact/touch_entry.hpp"
 
 namespace asperity {
@@ -15,9 +16,13 @@ struct EntryMotion {
   double slip = 0, approach = 0;
 };
 
-/// Coulomb friction with elastic slip, Eqs. (C47)-(C49); a length of zero ends the contact. Returns the force against
-/// the slip and books what is spent.
-double rub(EdgeFriction& f, double length, double incoming_slip, const EntryMotion& motion, double stiffness,
+/// Force against the slip, and how far an entry slid for good, mm.
+struct Rubbing {
+  double force = 0, slid = 0;
+};
+
+/// Coulomb friction with elastic slip, Eqs. (C47)-(C49); a length of zero ends the contact. Books what is spent.
+Rubbing rub(EdgeFriction& f, double length, double incoming_slip, const EntryMotion& motion, double stiffness,
            double limit, StepLosses& losses) {
   const double energy = 0.5 * stiffness * f.length * f.slip * f.slip;
   const double before = stiffness * f.length * f.slip;
@@ -28,13 +33,13 @@ double rub(EdgeFriction& f, double length, double incoming_slip, const EntryMoti
   losses.friction += energy - 0.5 * start * f.slip + 0.5 * (before * motion.old_slip - start * motion.slip);
   if (length <= 0.0) {
     f.slip = 0.0;
-    return 0.0;
+    return {};
   }
   const double trial = start + total * motion.slip;
   const double force = std::clamp(trial, -limit, limit);
   losses.friction += std::max(0.0, 0.5 * (start + force) * (trial - force)) / total;
   f.slip = force / total;
-  return force;
+  return {force, std::abs(trial - force) / total};
 }
 
 /// Viscous force on the approach, Eq. (C50); never pulls.
@@ -91,8 +96,9 @@ Vec2 entry_force(const TouchContext& c, Touch& touch, int i, const Entry& entry,
   motion.approach = dot(moved, point.normal());
   const SurfaceLaw law = surface_law(c.general, entry, position_on_edge(own, entry.k, point.s));
   const double length = effective_length(c.general, touch, entry, i);
-  const double friction =
+  const Rubbing rubbing =
       rub(f, length, c.general.ledger.incoming(entry.edge()), motion, 0.5 * touch.k_s, law.tan_phi * normal, losses);
+  if (!c.general.wear.empty()) f.wear = wear_of_slip(own_surface(c.general, entry).wear, rubbing.slid, normal, length);
   double pressing = normal;
   if (c.general.law.damping_ratio > 0.0) {
     const double mass =
@@ -101,7 +107,7 @@ Vec2 entry_force(const TouchContext& c, Touch& touch, int i, const Entry& entry,
     pressing += damp(f, motion, c.time_step, c.general.law.damping_ratio * critical * length, normal, losses);
   }
   f.point = point;
-  return (-pressing) * point.normal() - friction * point.tangent;
+  return (-pressing) * point.normal() - rubbing.force * point.tangent;
 }
 
 /// Books what an entry still held, and did over half of the last step, when it lost its contact.

@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::string_view kMagic = "asperity checkpoint 9\n";
+constexpr std::string_view kMagic = "asperity checkpoint 10\n";
 constexpr std::size_t kDigest = 64;
 
 /// Appends plain values and vectors of them to a byte string, each with its size, so that other code's layout is seen.
@@ -80,6 +80,7 @@ void exchange_general(Archive& archive, General& general) {
   archive(general.chain_contacts);
   archive(general.handing_over);
   archive(general.touches);
+  archive(general.wear);
   archive(general.travel);
   archive(general.search_due);
   archive(general.searches);

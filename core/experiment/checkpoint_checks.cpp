@@ -17,6 +17,7 @@ constexpr std::int64_t kMostSteps = std::int64_t{1} << 53;
 bool is_index(int i, std::size_t size) { return i >= 0 && static_cast<std::size_t>(i) < size; }
 bool is_index_or_none(int i, std::size_t size) { return i == -1 || is_index(i, size); }
 bool within(double x, double low, double high) { return x >= low && x <= high; }  // false for NaN
+bool is_length(double x) { return within(x, 0.0, std::numeric_limits<double>::max()); }
 
 bool all_finite(std::initializer_list<double> values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
@@ -34,7 +35,8 @@ bool same_sizes(const System& a, const System& b) {
          a.platen_shear.size() == b.platen_shear.size() &&
          a.contacts.memory.packed.size() == b.contacts.memory.packed.size() &&
          a.contacts.memory.literal.size() == b.contacts.memory.literal.size() &&
-         a.contacts.broken_index.size() == b.contacts.broken_index.size();
+         a.contacts.broken_index.size() == b.contacts.broken_index.size() &&
+         a.general.wear.size() == b.general.wear.size();
 }
 
 /// A byte that is neither 0 nor 1 is no bool, and must not even be looked at as one.
@@ -76,12 +78,21 @@ bool flank_holds(const FlankPressure& read, const FlankPressure& fresh, std::siz
 bool broken_edge_holds(const BrokenEdge& edge, double now) {
   const bool modes_hold = edge.points[0] <= BreakMode::shear && edge.points[1] <= BreakMode::shear;
   const bool broken = edge.points[0] != BreakMode::none && edge.points[1] != BreakMode::none;
-  return modes_hold && (broken ? within(edge.break_time, 0.0, now) : edge.break_time == -1.0) &&
+  const bool defect_holds = edge.defect == 0 || (edge.defect == 1 && broken && edge.break_time == 0.0);
+  return modes_hold && defect_holds && (broken ? within(edge.break_time, 0.0, now) : edge.break_time == -1.0) &&
          within(edge.hand_over.weight, 0.0, 1.0);
 }
 
 bool modes_hold(const std::array<PointState, 2>& points) {
   return points[0].broken <= BreakMode::shear && points[1].broken <= BreakMode::shear;
+}
+
+/// A mesh's defects are those that its mechanisms give it.
+bool same_defects(const BondedContacts& a, const BondedContacts& b) {
+  for (std::size_t c = 0; c < a.size(); ++c) {
+    if (a.is_defect(c) != b.is_defect(c)) return false;
+  }
+  return true;
 }
 
 /// Every broken edge belongs to one contact.
@@ -147,6 +158,7 @@ bool general_holds(const System& read) {
   if (!g.law.enabled) return g.members.empty() && g.pairs.empty() && g.touches.empty() && g.handing_over.empty();
   return members_hold(g.members, read.particles.triangle_count()) && pairs_hold(g) &&
          broken_contacts_hold(g.chain_contacts, read.contacts) && broken_contacts_hold(g.handing_over, read.contacts) &&
+         std::all_of(g.wear.begin(), g.wear.end(), is_length) &&
          within(g.travel, 0.0, std::numeric_limits<double>::max()) && g.searches >= 0 && g.searches <= read.step + 1 &&
          all_finite(
              {g.friction_energy, g.damping_energy, g.largest_depth, g.largest_depth_handing_over, g.largest_seat});
@@ -208,7 +220,7 @@ std::string contradiction(const Model& fresh, const System& read, const RunState
   if (!std::all_of(read.blocks.begin(), read.blocks.end(), block_holds)) return "holds no state of the rigid blocks";
   if (!flank_holds(read.flank, fresh.system.flank, read.particles.node_count()))
     return "holds no state of the confining pressure";
-  if (!contacts_hold(read.contacts, read.time)) return "holds no state of the bonded contacts";
+  if (!contacts_hold(read.contacts, read.time) || !same_defects(read.contacts, fresh.system.contacts)) return "holds no state of the bonded contacts";
   if (!general_holds(read)) return "holds no state of the general contacts";
   if (!program_holds(state.loading, fresh, read.time)) return "holds no state of the loading";
   if (!progress_holds(state, read.step)) return "holds no progress of a run";

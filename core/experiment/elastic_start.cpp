@@ -24,7 +24,7 @@ std::vector<EdgeStiffness> tangent_stiffness(const BondedContacts& contacts) {
   std::vector<EdgeStiffness> stiffness(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     for (std::size_t q = 0; q < 2; ++q) {
-      const NormalisedSeparation s = normalised_separation(contacts.memory.load(c)[q], contacts);
+      const NormalisedSeparation s = normalised_separation(contacts.memory.load(c)[q], contacts, c);
       stiffness[c][q] = {contacts.law.k_t * softened(s.opening), contacts.law.k_s * softened(s.shear)};
     }
   }

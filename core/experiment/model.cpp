@@ -139,7 +139,7 @@ Model build_model(const RunConfig& given, const ParallelLoops& loops) {
   system.contacts =
       make_contacts(model.mesh, system.particles, law, config.contacts.law.reading, config.contacts.law.form);
   mark_contacts(config, model.mesh, system.particles, system.contacts);
-  system.general = make_general_contacts(system.particles, general_contact_law(config.contacts, law));
+  system.general = make_general_contacts(system.particles, general_contact_law(config, law));
   if (config.contacts.general.enabled) system.contacts.hand_over_range = kHandOverRange;
   if (!shear) {
     system.platens = make_platens(config);

@@ -12,12 +12,13 @@ struct NormalisedSeparation {
   double size() const { return std::hypot(opening, shear); }
 };
 
-NormalisedSeparation normalised_separation(const PointState& point, const BondedContacts& contacts);
+NormalisedSeparation normalised_separation(const PointState& point, const BondedContacts& contacts,
+                                           std::size_t contact);
 
-/// Largest normalised separation of all contact points, 1 at first softening; Eq. (E6).
+/// Largest normalised separation of all contact points but those of defects, 1 at first softening; Eq. (E6).
 double largest_separation(const BondedContacts& contacts);
 
-/// Contact points whose normalised separation is at least `separation`.
+/// Contact points whose normalised separation is at least `separation`, without those of defects.
 int count_separated(const BondedContacts& contacts, double separation, const ParallelLoops& loops);
 
 }  // namespace asperity

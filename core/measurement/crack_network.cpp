@@ -36,7 +36,8 @@ CrackSegment make_segment(const BondedContacts& contacts, const Particles& p, st
   const double aside = norm(gap) > e.length ? 0.0 : 0.5;  // once the faces have parted, the crack is the left one's
   segment.a = p.position[e.left1] + aside * frame.gap[0];
   segment.b = p.position[e.left2] + aside * frame.gap[1];
-  segment.mode = static_cast<CrackMode>(edge_break_mode(points));
+  const auto mode = static_cast<CrackMode>(edge_break_mode(points));
+  segment.mode = contacts.is_defect(c) ? CrackMode::defect : mode;
   segment.damage = edge_damage(points);
   segment.opening_mm = dot(gap, frame.normal);
   segment.slip_mm = dot(gap, frame.tangent);
@@ -50,7 +51,7 @@ CrackSegment make_segment(const BondedContacts& contacts, const Particles& p, st
 std::vector<Crack> list_cracks(const BondedContacts& contacts, const Particles& particles) {
   std::vector<Crack> cracks;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (contacts.is_broken(c)) cracks.push_back(make_crack(contacts, particles, c));
+    if (contacts.is_crack(c)) cracks.push_back(make_crack(contacts, particles, c));
   }
   std::sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) {
     return std::tie(a.time_s, a.contact) < std::tie(b.time_s, b.contact);
@@ -69,6 +70,7 @@ CrackCounts count_cracks(const BondedContacts& contacts, const ParallelLoops& lo
   return loops.sum_blocks<CrackCounts>(contacts.size(), [&](std::size_t begin, std::size_t end) {
     CrackCounts counts;
     for (std::size_t c = begin; c < end; ++c) {
+      if (contacts.is_defect(c)) continue;
       const BreakMode mode = edge_break_mode(contacts.points(c));
       counts.tension += mode == BreakMode::tension;
       counts.shear += mode == BreakMode::shear;

@@ -95,7 +95,7 @@ std::vector<int> accepted(const Graph& graph, const CrackPattern& pattern, const
 CrackPattern crack_pattern(const BondedContacts& contacts, const Particles& p, double until_s) {
   CrackPattern pattern;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (!contacts.is_broken(c) || contacts.break_time(c) > until_s) continue;
+    if (!contacts.is_crack(c) || contacts.break_time(c) > until_s) continue;
     const ContactEdge& e = contacts.edges[c];
     pattern.push_back({{p.vertex[e.left1], p.vertex[e.left2]},
                        {p.reference(e.left1), p.reference(e.left2)},

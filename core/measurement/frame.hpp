@@ -8,9 +8,9 @@
 namespace asperity {
 
 /// State of a contact edge in the crack network. The numbers are those of the VTU array `mode`.
-enum class CrackMode : int { softening = 0, tension = 1, shear = 2 };
+enum class CrackMode : int { softening = 0, tension = 1, shear = 2, defect = 3 };
 
-/// One softening or broken contact edge in its present position (mm), midway between the two particles.
+/// One softening or broken contact edge, or one open before the test, in its present position (mm), midway between the two particles.
 struct CrackSegment {
   Vec2 a, b;
   CrackMode mode = CrackMode::softening;

@@ -56,7 +56,7 @@ void add_damage(const JointGauge& gauge, const System& system, JointReading& rea
   if (!any) return;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const int flank = gauge.flank_of_triangle[contacts.edges[c].left_triangle()];
-    if (flank >= 0 && contacts.is_broken(c)) ++reading.teeth[flank / 2].cracks;
+    if (flank >= 0 && contacts.is_crack(c)) ++reading.teeth[flank / 2].cracks;
   }
   const Fragments fragments = find_fragments(contacts, system.particles);
   const int body = fragments.of_triangle[gauge.body];

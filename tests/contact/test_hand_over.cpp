@@ -157,7 +157,7 @@ System handing_over_wheel(RandomStream& random) {
   for (int t = 0; t < 6; ++t) bodies.mesh.grain[t] = t;
   const RunConfig config = test::plaster();
   LawParameters law = law_parameters(config);
-  law.tan_phi = 0.0;
+  law.tan_phi = law.tan_phi_peak = 0.0;
   System system;
   system.particles = make_particles(bodies.mesh, config.particles, config.experiment.plane);
   system.contacts = make_contacts(bodies.mesh, system.particles, law, LawReading::consistent);

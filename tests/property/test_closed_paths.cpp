@@ -102,6 +102,28 @@ TEST_CASE("Default law with softening in shear: no closed path returns net work 
   CHECK(fine.imbalance < 1.3e-4);
 }
 
+TEST_CASE("Default law with a curved envelope, closing cracks or both: no closed path returns net work, and the account closes") {
+  LawParameters curved = kLaw, closing = kLaw;
+  curved.envelope_exponent = 0.6;
+  closing.closure_share = 0.7;
+  closing.closure_length = 0.002;
+  LawParameters both = closing;
+  both.envelope_exponent = 0.4;
+  both.kappa_us = 12.0;
+  LawParameters steep = kLaw;
+  steep.tan_phi_peak = 1.4;
+  for (const LawParameters& law : {curved, closing, both, steep}) {
+    const Worst fine = worst_of_many(1000, consistent_law::update, law);
+    CAPTURE(law.envelope_exponent, law.closure_share, law.tan_phi_peak);
+    WARN("closed paths, exponent " << law.envelope_exponent << ", closure " << law.closure_share << ", peak slope "
+                                   << law.tan_phi_peak << ": least work " << fine.least_work
+                                   << " of the peak energy; imbalance worst " << fine.imbalance << ", mean "
+                                   << fine.mean_imbalance);
+    CHECK(fine.least_work > -1.3e-4);  // the discretisation's, as above
+    CHECK(fine.imbalance < 1.3e-4);
+  }
+}
+
 TEST_CASE("Cohesive-frictional form: no closed path returns net work, with Eq 6's drop or softening in shear") {
   LawParameters law = kLaw;
   law.kappa_us = GENERATE(1.0, 12.0);

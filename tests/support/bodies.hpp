@@ -100,7 +100,7 @@ inline BondedBodies bonded_bodies(const Mesh& mesh, bool general = true) {
   bodies.particles = make_particles(mesh, config.particles, config.experiment.plane);
   bodies.contacts = make_contacts(mesh, bodies.particles, law, LawReading::consistent);
   if (!general) return bodies;
-  bodies.general = make_general_contacts(bodies.particles, general_contact_law(config.contacts, law));
+  bodies.general = make_general_contacts(bodies.particles, general_contact_law(config, law));
   bodies.contacts.hand_over_range = kHandOverRange;
   return bodies;
 }

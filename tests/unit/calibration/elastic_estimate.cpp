@@ -127,7 +127,7 @@ TEST_CASE("hardening with friction is that of the law's own contact points over 
   LawParameters law;
   law.k_t = law.k_s = 1e3;
   law.c_c = 1.7;
-  law.tan_phi = 0.78;
+  law.tan_phi = law.tan_phi_peak = 0.78;
   law.kappa_ut = 10;
   law.inverse_delta_ct = 1e-3;
   const StressWindow window{1.5, 3.75};
