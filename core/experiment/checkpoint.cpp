@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::string_view kMagic = "asperity checkpoint 9\n";
+constexpr std::string_view kMagic = "asperity checkpoint 10\n";
 constexpr std::size_t kDigest = 64;
 
 /// Appends plain values and vectors of them to a byte string, each with its size, so that other code's layout is seen.
@@ -97,6 +97,9 @@ void exchange_block(Archive& archive, Block& block) {
   archive(block.last_velocity);
   archive(block.reaction);
   archive(block.displacement);
+  archive(block.turn.angle);
+  archive(block.turn.rate);
+  archive(block.turn.last_rate);
 }
 
 /// Everything that changes while a test runs, in one order for writing and reading.
@@ -110,6 +113,7 @@ void exchange(Archive& archive, SystemType& system, StateType& state) {
   archive(system.platen_friction_energy);
   archive(system.sums);
   archive(system.platens);
+  archive(system.lines);
   for (auto& block : system.blocks) exchange_block(archive, block);
   archive(system.flank.pressure);
   archive(system.flank.edges);
