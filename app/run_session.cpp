@@ -138,7 +138,7 @@ void compute(Session& s, const ParallelLoops& loops) {
 
 void write_crack_tables(const Session& s) {
   std::vector<Crack> cracks = list_cracks(s.model.system.contacts, s.model.system.particles);
-  for (Crack& crack : cracks) crack.energy_n_mm *= s.model.config.experiment.thickness_mm;
+  for (Crack& crack : cracks) crack.energy_n_mm *= strip_thickness(s.model.config);
   std::vector<std::vector<CsvCell>> crack_rows, event_rows;
   for (const Crack& crack : cracks) crack_rows.push_back(crack_row(crack));
   for (const AcousticEvent& event : group_events(cracks, s.model.config)) event_rows.push_back(event_row(event));

@@ -189,8 +189,13 @@ void draw_blocks(Drawing& drawing, const Frame& frame, const View& view, double 
     add_frame(drawing, {a.x, a.y, b.x, b.y}, {style::kPlatenEdge, 2 * unit, {}, Cap::butt});
   };
   const FrameJoint& joint = frame.joint;
-  draw({rest.low.x + joint.shear_mm, rest.low.y - view.platen_mm}, {rest.high.x + joint.shear_mm, rest.low.y});
-  draw({rest.low.x, rest.high.y + joint.lift_mm}, {rest.high.x, rest.high.y + joint.lift_mm + view.platen_mm});
+  const double left = rest.low.x + joint.shear_mm, right = rest.high.x;  // an upper half may be shifted to the right
+  for (int strip = 0; strip < joint.strips; ++strip) {
+    const double bottom = rest.low.y + strip * joint.pitch_mm;
+    const double top = rest.high.y - (joint.strips - 1 - strip) * joint.pitch_mm + joint.lift_mm;
+    draw({left, bottom - view.platen_mm}, {left + joint.length_mm, bottom});
+    draw({right - joint.length_mm, top}, {right, top + view.platen_mm});
+  }
 }
 
 void draw_platens(Drawing& drawing, const Frame& frame, const View& view, double unit) {

@@ -164,6 +164,10 @@ void read_fields_vtu(const std::filesystem::path& path, Frame& frame) {
   if (file.has_numbers("joint")) {
     frame.joint = {file.number("joint", 0), file.number("joint", 1), file.number("joint", 2), file.number("joint", 3),
                    file.number("joint", 4), file.number("joint", 5)};
+    if (file.has_numbers("strips")) {
+      frame.joint.strips = static_cast<int>(file.number("strips", 0));
+      frame.joint.pitch_mm = file.number("strips", 1);
+    }
     frame.half = scalars<int>(file.cell_array("half"), frame.triangles.size());
   }
   frame.curve = {file.numbers("curve_axial_strain"), file.numbers("curve_lateral_strain"),

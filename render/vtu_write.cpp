@@ -94,7 +94,10 @@ void add_curve(vtkFieldData* data, const Frame& frame) {
   const FrameJaws& jaws = frame.jaws;
   if (jaws.radius_mm > 0.0) add_numbers(data, "jaws", {jaws.radius_mm, jaws.centre_x_mm, jaws.half_width_mm});
   const FrameJoint& j = frame.joint;
-  if (j.length_mm > 0.0) add_numbers(data, "joint", {j.length_mm, j.rise_mm, j.range_mm, j.shear_mm, j.dilation_mm, j.lift_mm});
+  if (j.length_mm > 0.0) {
+    add_numbers(data, "joint", {j.length_mm, j.rise_mm, j.range_mm, j.shear_mm, j.dilation_mm, j.lift_mm});
+    if (j.strips > 1) add_numbers(data, "strips", {static_cast<double>(j.strips), j.pitch_mm});
+  }
   add_numbers(data, "curve_axial_strain", frame.curve.axial_strain);
   add_numbers(data, "curve_lateral_strain", frame.curve.lateral_strain);
   add_numbers(data, "curve_stress", frame.curve.stress_mpa);

@@ -227,4 +227,9 @@ struct RunConfig {
   bool operator==(const RunConfig&) const = default;
 };
 
+/// Thickness (mm) that each of a joint's strips stands for: all of the specimen's where there is one.
+inline double strip_thickness(const RunConfig& config) {
+  return config.experiment.thickness_mm / config.extensions.strips;
+}
+
 }  // namespace asperity

@@ -98,6 +98,9 @@ void exchange_block(Archive& archive, Block& block) {
   archive(block.last_velocity);
   archive(block.reaction);
   archive(block.displacement);
+  archive(block.turn.angle);
+  archive(block.turn.rate);
+  archive(block.turn.last_rate);
 }
 
 /// Everything that changes while a test runs, in one order for writing and reading.
@@ -111,6 +114,7 @@ void exchange(Archive& archive, SystemType& system, StateType& state) {
   archive(system.platen_friction_energy);
   archive(system.sums);
   archive(system.platens);
+  archive(system.lines);
   for (auto& block : system.blocks) exchange_block(archive, block);
   archive(system.flank.pressure);
   archive(system.flank.edges);

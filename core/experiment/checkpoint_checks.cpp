@@ -42,16 +42,39 @@ bool same_sizes(const System& a, const System& b) {
 /// A byte that is neither 0 nor 1 is no bool, and must not even be looked at as one.
 bool same_flag(const bool& a, const bool& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
+/// Steepest slope of a face that turns freely.
+constexpr double kSteepestFace = 1e3;
+
+bool face_holds(const FaceTurn& read, const FaceTurn& fresh) {
+  const bool same = read.pivot_x == fresh.pivot_x && read.reach == fresh.reach && read.inertia == fresh.inertia;
+  return same && (fresh.inertia > 0.0 || read.slope == fresh.slope) &&
+         within(read.slope, -kSteepestFace, kSteepestFace) && all_finite({read.rate, read.last_rate});
+}
+
+bool line_holds(const DriveLine& read, const DriveLine& fresh, double length) {
+  const double most = kFarthestPlaten * length;
+  const bool same = read.stiffness == fresh.stiffness && read.seating == fresh.seating &&
+                    read.half_load == fresh.half_load && read.mass == fresh.mass;
+  return same && (read.tied == 0 || (read.tied == 1 && fresh.stiffness > 0.0)) &&
+         all_finite({read.preload, read.drive_velocity}) && within(read.drive, -most, most) &&
+         within(read.stretch, -most, most) && within(read.closed, 0.0, fresh.seating);
+}
+
+bool lines_hold(const System& read, const System& fresh, double length) {
+  return read.lines[0].tied >= read.lines[1].tied && line_holds(read.lines[0], fresh.lines[0], length) &&
+         line_holds(read.lines[1], fresh.lines[1], length);
+}
+
 bool platens_hold(const Platens& read, const Platens& fresh, double height) {
   const double most = kFarthestPlaten * height;
-  return same_flag(read.present, fresh.present) && read.friction == fresh.friction && read.jaw == fresh.jaw &&
+  return same_flag(read.present, fresh.present) && face_holds(read.upper, fresh.upper) && read.friction == fresh.friction && read.jaw == fresh.jaw &&
          within(read.y[0], -most, most) && within(read.y[1], -most, most) &&
          all_finite({read.velocity[0], read.velocity[1], read.last_velocity[0], read.last_velocity[1]});
 }
 
 bool sums_hold(const NodeSums& s) {
   return all_finite({s.on_blocks[0].x, s.on_blocks[0].y, s.on_blocks[1].x, s.on_blocks[1].y, s.reaction[0],
-                     s.reaction[1], s.work_before, s.work_after, s.damping, s.platen_friction, s.platen_energy,
+                     s.reaction[1], s.turning, s.work_before, s.work_after, s.damping, s.platen_friction, s.platen_energy,
                      s.kinetic, s.fastest});
 }
 
@@ -64,7 +87,7 @@ bool motion_holds(const System& read) {
 
 bool block_holds(const RigidBlock& b) {
   return all_finite({b.load, b.velocity.x, b.velocity.y, b.last_velocity.x, b.last_velocity.y, b.reaction.x,
-                     b.reaction.y, b.displacement.x, b.displacement.y});
+                     b.reaction.y, b.displacement.x, b.displacement.y, b.turn.angle, b.turn.rate, b.turn.last_rate});
 }
 
 bool flank_holds(const FlankPressure& read, const FlankPressure& fresh, std::size_t nodes) {
@@ -216,6 +239,7 @@ std::string contradiction(const Model& fresh, const System& read, const RunState
   if (!same_sizes(read, fresh.system)) return "belongs to another mesh";
   if (!platens_hold(read.platens, fresh.system.platens, specimen_length(fresh.config)))
     return "holds no state of the platens";
+  if (!lines_hold(read, fresh.system, specimen_length(fresh.config))) return "holds no state of the drive";
   if (!motion_holds(read)) return "holds no state of motion";
   if (!std::all_of(read.blocks.begin(), read.blocks.end(), block_holds)) return "holds no state of the rigid blocks";
   if (!flank_holds(read.flank, fresh.system.flank, read.particles.node_count()))

@@ -5,22 +5,24 @@
 
 #include "core/base/units.hpp"
 #include "core/contact/closed_forms.hpp"
+#include "core/experiment/drive_train.hpp"
 
 namespace asperity {
 namespace {
 
-void set_closing_rate(Platens& platens, double rate) { platens.velocity = {0.5 * rate, -0.5 * rate}; }
-
-/// Adds the linear field that joins the two platens' velocities, Eq. (E1), and books its kinetic energy as work.
+/// Adds the linear field that joins the two platens' velocities, Eq. (E1), and books its kinetic energy as work. Behind
+/// a drive line the platens take part in the drive's rate as the specimen does in the compliance.
 void add_linear_velocity_field(Model& model, double rate) {
   Particles& p = model.system.particles;
   const double height = specimen_length(model.config);
+  set_closing_rate(model.system, rate);
+  rate *= specimen_share(model);
   for (std::size_t i = 0; i < p.node_count(); ++i) {
     const Vec2 before = p.velocity[i];
     p.velocity[i].y += rate * (0.5 - p.reference(i).y / height);
     model.system.initial_kinetic += 0.5 * p.mass[i] * (dot(p.velocity[i], p.velocity[i]) - dot(before, before));
   }
-  set_closing_rate(model.system.platens, rate);
+  model.system.platens.velocity = {0.5 * rate, -0.5 * rate};
   model.system.platens.last_velocity = model.system.platens.velocity;
 }
 
@@ -37,6 +39,7 @@ void start_moving(Model& model, LoadingState& state) {
   state.zero_distance_mm = model.system.platens.y[1] - model.system.platens.y[0];
   state.zero_gauges = read_gauges(model.gauges, model.system.particles);
   state.rate_control.rate = model.config.experiment.loading.closing_rate_mm_per_s;
+  tie_drive(model.system);
   if (model.config.experiment.loading.elastic_start_fraction > 0.0) {
     state.phase = LoadingPhase::elastic_start;
   } else {
@@ -53,7 +56,7 @@ void confine(Model& model, LoadingState& state, double kinetic_ratio) {
   const double present = 0.5 * (system.sums.reaction[0] + system.sums.reaction[1]) / e.width_mm;
   const bool settled = kinetic_ratio < e.loading.hold_kinetic_ratio && std::abs(present - target) < 1e-3 * target;
   if ((elapsed > e.loading.confinement_time_s && settled) || elapsed > 4.0 * e.loading.confinement_time_s) {
-    set_closing_rate(system.platens, 0.0);
+    set_closing_rate(system, 0.0);
     start_moving(model, state);
     return;
   }
@@ -61,7 +64,12 @@ void confine(Model& model, LoadingState& state, double kinetic_ratio) {
   const double modulus = closed_forms::effective_modulus(model.config.particles.youngs_modulus_gpa * units::kMpaPerGpa,
                                                          model.config.particles.poissons_ratio, e.plane);
   const double response_time = 0.1 * e.loading.confinement_time_s;
-  set_closing_rate(system.platens, e.height_mm / modulus * (target - present) / response_time);
+  set_closing_rate(system, e.height_mm / modulus * (target - present) / response_time);
+}
+
+/// Of the test's normal stress on all strips, N per mm of thickness.
+double normal_load(const Model& model) {
+  return model.config.experiment.normal_stress_mpa * (model.joint.gauge.strips.count * model.joint.profile.length());
 }
 
 /// First stage of direct shear, Eq. (E10): the normal load ramps up and is kept until the joint is at rest under it.
@@ -69,14 +77,23 @@ void press(Model& model, LoadingState& state, double kinetic_ratio) {
   const ExperimentConfig& e = model.config.experiment;
   RigidBlock& upper = model.system.blocks[kUpperBlock];
   const double elapsed = model.system.time - state.phase_start_s;
-  const double full = e.normal_stress_mpa * model.joint.profile.length();
+  const double full = normal_load(model);
   upper.load = -full * std::min(1.0, elapsed / e.loading.confinement_time_s);
   const bool settled = kinetic_ratio < e.loading.hold_kinetic_ratio && std::abs(upper.reaction.y - full) < 1e-3 * full;
   if ((elapsed > e.loading.confinement_time_s && settled) || elapsed > 4.0 * e.loading.confinement_time_s) {
     state.phase = LoadingPhase::moving;
     state.phase_start_s = model.system.time;
     state.zero_dilation = read_dilation(model.joint.gauge, model.system);
+    tie_drive(model.system);
   }
+}
+
+/// The load on the upper block after the first stage, Eq. (E23).
+void follow_dilation(Model& model, const LoadingState& state) {
+  const double stiffness = normal_spring(model.config, model.joint);
+  if (stiffness == 0.0) return;
+  RigidBlock& upper = model.system.blocks[kUpperBlock];
+  upper.load = -(normal_load(model) + stiffness * (upper.displacement.y - state.zero_dilation.mean));
 }
 
 /// The lower half at the shear rate, Eq. (E11).
@@ -85,14 +102,15 @@ void shear(Model& model, LoadingState& state) {
   const double elapsed = model.system.time - state.phase_start_s;
   const double ramp = loading.ramp_time_s > 0.0 ? std::min(1.0, elapsed / loading.ramp_time_s) : 1.0;
   const double factor = unloading_factor(model, state.unloading, closure(model, state));
-  model.system.blocks[kLowerBlock].velocity = {factor * ramp * loading.shear_rate_mm_per_s, 0.0};
+  set_shear_rate(model.system, factor * ramp * loading.shear_rate_mm_per_s);
+  follow_dilation(model, state);
 }
 
 void move(Model& model, LoadingState& state) {
   const LoadingConfig& loading = model.config.experiment.loading;
   const double moved = closure(model, state) - state.phase_start_closure_mm;
   if (loading.mode == LoadingMode::staged && moved >= loading.stage_displacement_mm) {
-    set_closing_rate(model.system.platens, 0.0);
+    set_closing_rate(model.system, 0.0);
     state.phase = LoadingPhase::holding;
     state.phase_start_s = model.system.time;
     return;
@@ -102,7 +120,7 @@ void move(Model& model, LoadingState& state) {
   const double ramp = from_rest && loading.ramp_time_s > 0.0 ? std::min(1.0, elapsed / loading.ramp_time_s) : 1.0;
   const double rate =
       loading.rate_control.enabled ? advance_rate(model, state.rate_control) : loading.closing_rate_mm_per_s;
-  set_closing_rate(model.system.platens, unloading_factor(model, state.unloading, closure(model, state)) * ramp * rate);
+  set_closing_rate(model.system, unloading_factor(model, state.unloading, closure(model, state)) * ramp * rate);
 }
 
 void hold(Model& model, LoadingState& state, double kinetic_ratio) {
@@ -118,6 +136,7 @@ void hold(Model& model, LoadingState& state, double kinetic_ratio) {
 }  // namespace
 
 double closure(const Model& model, const LoadingState& state) {
+  if (is_tied(model.system)) return drive_displacement(model.system);
   if (model.config.experiment.type == ExperimentType::direct_shear) {
     return model.system.blocks[kLowerBlock].displacement.x;
   }

@@ -8,7 +8,9 @@
 #include <thread>
 
 #include "core/base/error.hpp"
+#include "core/base/units.hpp"
 #include "core/contact/closed_forms.hpp"
+#include "core/experiment/drive_train.hpp"
 #include "core/geometry/specimen.hpp"
 #include "core/integrator/time_step.hpp"
 #include "core/mechanism/mechanism.hpp"
@@ -44,12 +46,47 @@ JawFace make_jaw(const ExperimentConfig& experiment) {
   return {radius, 0.0, half_width, radius - std::sqrt(radius * radius - half_width * half_width)};
 }
 
+/// Corners of a compression specimen's upper end from where its face turns, mm.
+std::array<double, 2> corner_arms(const RunConfig& config) {
+  const double half = 0.5 * config.experiment.width_mm, pivot = config.extensions.hinge_offset_mm.value_or(0.0);
+  return {-half - pivot, half - pivot};
+}
+
+/// Tilt and hinge of the upper platen, which stands so that the specimen's highest corner just touches it; Eqs. (I24)
+/// and (I25) of core/integrator.
+void turn_upper_face(const RunConfig& config, Platens& platens) {
+  const ModelExtensions& x = config.extensions;
+  if (x.tilt_deg == 0.0 && !x.hinge_offset_mm) return;
+  const auto [left, right] = corner_arms(config);
+  platens.upper.slope = std::tan(x.tilt_deg * units::kRadPerDeg);
+  platens.upper.pivot_x = x.hinge_offset_mm.value_or(0.0);
+  platens.upper.reach = std::max(std::abs(left), std::abs(right));
+  platens.y[1] += std::max(-left * platens.upper.slope, -right * platens.upper.slope);
+}
+
+/// Inertia of a hinged platen, a bar as heavy as half the specimen and as long as it is wide, more where the time step
+/// asks for it.
+void steady_platen(Model& model) {
+  System& system = model.system;
+  if (!model.config.extensions.hinge_offset_mm) return;
+  double mass = 0.0, springs = 0.0;
+  for (double m : system.particles.mass) mass += 0.5 * m;
+  for (std::size_t i = 0; i < system.platen_springs.nodes.size(); ++i) {
+    const double arm = system.particles.reference(system.platen_springs.nodes[i]).x - system.platens.upper.pivot_x;
+    springs += 0.5 * system.platen_springs.springs[i].stiffness * arm * arm;
+  }
+  const double width = model.config.experiment.width_mm, offset = *model.config.extensions.hinge_offset_mm;
+  const double bar = mass * (width * width / 12.0 + offset * offset);
+  system.platens.upper.inertia = std::max(bar, 4.0 * springs * system.time_step * system.time_step);
+}
+
 Platens make_platens(const RunConfig& config) {
   Platens platens;
   platens.present = true;
   platens.y = {0.0, specimen_length(config)};
   platens.friction = config.experiment.platens.friction_coefficient;
   platens.jaw = make_jaw(config.experiment);
+  turn_upper_face(config, platens);
   return platens;
 }
 
@@ -128,14 +165,14 @@ Model build_model(const RunConfig& given, const ParallelLoops& loops) {
   model.config = config;
   const LawParameters law = law_parameters(config);
   const bool shear = config.experiment.type == ExperimentType::direct_shear;
-  std::vector<JointZone> zones;
-  model.mesh = shear ? joint_mesh(config, zones) : make_mesh(config.experiment, config.particles);
+  const JointAssembly joint = shear ? joint_mesh(config) : JointAssembly();
+  model.mesh = shear ? joint.joint.mesh : make_mesh(config.experiment, config.particles);
   System& system = model.system;
   system.particles = make_particles(model.mesh, config.particles, config.experiment.plane);
   if (std::isfinite(config.extensions.yield_stress_mpa)) {
     set_yield_stress(system.particles, config.extensions.yield_stress_mpa);
   }
-  if (shear) model.joint = make_joint(config, model.mesh, zones, system);
+  if (shear) model.joint = make_joint(config, joint, system);
   system.contacts =
       make_contacts(model.mesh, system.particles, law, config.contacts.law.reading, config.contacts.law.form);
   mark_contacts(config, model.mesh, system.particles, system.contacts);
@@ -155,6 +192,8 @@ Model build_model(const RunConfig& given, const ParallelLoops& loops) {
   }
   prepare(system);
   choose_time_step(model, loops);
+  make_drive_lines(model);
+  shear ? steady_blocks(config, model.joint, system) : steady_platen(model);
   return model;
 }
 

@@ -23,12 +23,14 @@ void count(const Model& model, Sample& s, const ParallelLoops& loops) {
   s.contacts_softening = cracks.softening;
 }
 
-/// Direct shear: the stresses are means over the sample's steps of the forces on the upper block.
+/// Direct shear: the stresses are means over the sample's steps, and over the strips, of the forces on the upper block;
+/// Eq. (E24).
 void measure_shear(const Model& model, const RunState& state, Sample& s) {
+  const int strips = model.joint.gauge.strips.count;
   const double length = model.joint.profile.length(), thickness = model.config.experiment.thickness_mm;
   const double steps = static_cast<double>(std::max<std::int64_t>(1, state.steps_in_sample));
-  const Vec2 on_lower = (1.0 / steps) * state.reaction_sum.on_blocks[kLowerBlock];
-  const Vec2 on_upper = (1.0 / steps) * state.reaction_sum.on_blocks[kUpperBlock];
+  const Vec2 on_lower = (1.0 / steps / strips) * state.reaction_sum.on_blocks[kLowerBlock];
+  const Vec2 on_upper = (1.0 / steps / strips) * state.reaction_sum.on_blocks[kUpperBlock];
   s.load_n_per_mm = on_upper.x;
   s.stress_mpa = on_upper.x / length;
   s.reaction_bottom_n = -on_lower.x * thickness;
@@ -45,7 +47,7 @@ Sample measure(const Model& model, const RunState& state, const ParallelLoops& l
   s.time_s = system.time;
   s.closure_mm = closure(model, state.loading);
   s.axial_strain = s.closure_mm / specimen_length(model.config);
-  s.energy = energy_balance(system, loops).times(e.thickness_mm);
+  s.energy = energy_balance(system, loops).times(strip_thickness(model.config));
   count(model, s, loops);
   if (e.type == ExperimentType::direct_shear) {
     measure_shear(model, state, s);
@@ -128,9 +130,11 @@ Frame frame_of(const Model& model, const RunState& state) {
   frame.joint = {profile.length(),
                  profile.highest() - profile.lowest(),
                  model.config.experiment.stop.shear_displacement_mm,
-                 closure(model, state.loading),
+                 model.system.blocks[kLowerBlock].displacement.x,
                  state.samples.back().joint.dilation.mean,
-                 model.system.blocks[kUpperBlock].displacement.y};
+                 model.system.blocks[kUpperBlock].displacement.y,
+                 model.joint.gauge.strips.count,
+                 model.joint.gauge.strips.pitch_mm};
   for (const std::uint8_t lower : model.joint.gauge.lower) frame.half.push_back(lower ? 0 : 1);
   return frame;
 }

@@ -35,6 +35,7 @@ Json experiment_entries(const Model& model, const RunState& state) {
     j["joint_length_mm"] = model.joint.profile.length();
     j["teeth"] = model.joint.profile.teeth.size();
     j["breakable"] = model.config.joint.breakable;
+    if (model.config.extensions.strips > 1) j["strips"] = model.config.extensions.strips;
   } else {
     j["diameter_mm"] = e.diameter_mm;
   }

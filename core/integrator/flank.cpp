@@ -2,13 +2,16 @@
 
 #include <algorithm>
 
+#include "core/integrator/platen_contact.hpp"
+
 namespace asperity {
 namespace {
 
 bool on_platen(const System& system, int node) {
   const double y = system.particles.position[node].y;
   const double skin = system.platen_springs.at(node).skin;
-  return y < system.platens.y[0] - skin || y > system.platens.y[1] + skin;
+  const double rise = face_rise(system.platens, system.particles.reference(node).x);
+  return y < system.platens.y[0] - skin || y > system.platens.y[1] + rise + skin;
 }
 
 std::vector<std::uint8_t> triangles_on_platen(const System& system) {

@@ -52,6 +52,10 @@ Vec2 platen_force(System& system, std::size_t node, NodeSums& sums) {
     force += platen_shear(system, node, contact, normal, sums) * along_face(contact.touch, contact.side);
   }
   sums.reaction[contact.side] += facing(contact.side) * force.y;
+  const FaceTurn& upper = system.platens.upper;
+  if (contact.side == 1 && upper.inertia > 0.0) {
+    sums.turning -= force.y * (system.particles.reference(node).x - upper.pivot_x);
+  }
   return force;
 }
 

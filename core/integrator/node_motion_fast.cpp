@@ -8,6 +8,7 @@
 
 #include "core/integrator/motion_simd.inl.hpp"
 #include "core/integrator/node_motion.hpp"
+#include "core/integrator/platen_contact.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace asperity::HWY_NAMESPACE {
@@ -58,10 +59,10 @@ HWY_INLINE std::array<Real, 3> load_masses(const double* mass, const Batch& batc
   return m;
 }
 
-/// Lanes with a corner behind a flat platen's face.
+/// Lanes with a corner that may be behind a flat platen's face.
 HWY_INLINE hn::Mask<Doubles> behind_platens(const Platens& platens, const Corners& x) {
   const Real low = hn::Min(hn::Min(x[0].y, x[1].y), x[2].y), high = hn::Max(hn::Max(x[0].y, x[1].y), x[2].y);
-  return hn::Or(hn::Lt(low, set(platens.y[0])), hn::Gt(high, set(platens.y[1])));
+  return hn::Or(hn::Lt(low, set(platens.y[0])), hn::Gt(high, set(lowest_of_upper_face(platens))));
 }
 
 /// Lanes with a corner behind a jaw's face, Eq. (I20), or so little before it that rounding could tell otherwise.

@@ -3,7 +3,7 @@
 
 #include "core/integrator/system.hpp"
 
-/// Where a point stands to the platens' faces; Eqs. (I5), (I20).
+/// Where a point stands to the platens' faces; Eqs. (I5), (I20), (I24).
 namespace asperity {
 
 /// A point against one platen's face.
@@ -28,6 +28,16 @@ inline PlatenTouch platen_touch(const Platens& platens, int side, Vec2 point) {
   return {distance - jaw.radius, {-arm.x / distance, -up * arm.y / distance}, 1.0 / distance};
 }
 
+/// How much higher the upper face stands over a place along the specimen at rest (mm) than the platen; Eq. (I24).
+inline double face_rise(const Platens& platens, double rest_x) {
+  return platens.upper.slope * (rest_x - platens.upper.pivot_x);
+}
+
+/// Height below which no node of the specimen is behind the upper face, mm.
+inline double lowest_of_upper_face(const Platens& platens) {
+  return platens.y[1] - std::abs(platens.upper.slope) * platens.upper.reach;
+}
+
 /// Along the face, in the direction of x where it is level.
 inline Vec2 along_face(const PlatenTouch& touch, int side) {
   return facing(side) * Vec2{touch.normal.y, -touch.normal.x};
@@ -45,7 +55,10 @@ struct PlatenContact {
 inline PlatenContact platen_contact(const System& system, std::size_t node) {
   const Vec2 point = system.particles.position[node];
   PlatenContact contact{0, platen_touch(system.platens, 0, point), {}, 0};
-  if (contact.touch.depth <= 0.0) contact = {1, platen_touch(system.platens, 1, point), {}, 0};
+  if (contact.touch.depth <= 0.0) {
+    const double rise = face_rise(system.platens, system.particles.reference(node).x);
+    contact = {1, platen_touch(system.platens, 1, point - Vec2{0.0, rise}), {}, 0};
+  }
   if (contact.touch.depth <= 0.0) return contact;
   contact.spring = system.platen_springs.at(node);
   contact.overlap = contact.touch.depth - contact.spring.skin;

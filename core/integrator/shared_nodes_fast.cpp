@@ -9,6 +9,7 @@
 
 #include "core/integrator/motion_simd.inl.hpp"
 #include "core/integrator/node_motion.hpp"
+#include "core/integrator/platen_contact.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace asperity::HWY_NAMESPACE {
@@ -55,10 +56,10 @@ void write_corner_forces(System& system, std::size_t begin, std::size_t end) {
   }
 }
 
-/// Whether a node is for the scalar code: behind a flat platen's face or just leaving it, held, or part of a block.
+/// Whether a node is for the scalar code: perhaps behind a flat platen's face or just leaving it, held, or part of a block.
 bool is_special(const System& system, std::size_t node) {
   const double y = system.particles.position[node].y;
-  return (system.platens.present && (y < system.platens.y[0] || y > system.platens.y[1])) ||
+  return (system.platens.present && (y < system.platens.y[0] || y > lowest_of_upper_face(system.platens))) ||
          (!system.platen_shear.empty() && system.platen_shear[node] != 0.0) ||
          (!system.held.empty() && system.held[node]) || (!system.block_of.empty() && system.block_of[node] >= 0);
 }

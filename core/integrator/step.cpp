@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/integrator/body_motion.hpp"
 #include "core/integrator/flank.hpp"
 #include "core/integrator/node_motion.hpp"
 #include "core/integrator/system.hpp"
@@ -10,46 +11,6 @@ namespace {
 
 ForceSlots force_slots(System& system) {
   return {system.forces, system.contacts.slot_of_edge, corners_written(system) ? 2 * system.contacts.slot_count() : 0};
-}
-
-/// Work of the platens on the specimen over half a step at the given velocities.
-double platen_work(const NodeSums& sums, const std::array<double, 2>& velocity, double dt) {
-  return 0.5 * dt * (sums.reaction[0] * velocity[0] - sums.reaction[1] * velocity[1]);
-}
-
-/// A free block's velocity half a step ahead under its load, Eq. (I22), with local damping.
-void accelerate(System& system, RigidBlock& block) {
-  const double dt = system.time_step, force = block.reaction.y + block.load;
-  const double before = block.velocity.y, trial = before + dt / block.mass * force;
-  const double damping = damping_force(force, system.local_damping, 0.5 * (before + trial), block.mass * (2.0 / dt));
-  block.velocity.y = trial + dt / block.mass * damping;
-  system.sums.damping -= 0.5 * dt * damping * (before + block.velocity.y);
-  system.sums.work_before += 0.5 * dt * block.load * before;
-  system.sums.work_after += 0.5 * dt * block.load * block.velocity.y;
-}
-
-/// The work of what gives a driven block its velocity, Eq. (I23).
-void book_drive(System& system, const RigidBlock& block) {
-  const double dt = system.time_step;
-  const Vec2 before = block.last_velocity, after = block.velocity;
-  const Vec2 drive = (block.mass / dt) * (after - before) - block.reaction;
-  system.sums.work_before += 0.5 * dt * dot(drive, before);
-  system.sums.work_after += 0.5 * dt * dot(drive, after);
-}
-
-/// Eqs. (I21)-(I23): a block takes the forces on its nodes and gives them its velocity.
-void move_block(System& system, std::size_t index) {
-  RigidBlock& block = system.blocks[index];
-  block.reaction = system.sums.on_blocks[index];
-  if (block.free_along_y) {
-    block.last_velocity = block.velocity;
-    accelerate(system, block);
-  } else {
-    book_drive(system, block);
-  }
-  system.sums.kinetic += 0.5 * block.mass * dot(block.last_velocity, block.velocity);
-  system.sums.fastest = std::max(system.sums.fastest, dot(block.velocity, block.velocity));
-  for (int node : block.nodes) system.particles.velocity[node] = block.velocity;
 }
 
 /// All nodes' velocities, in blocks that any number of threads shares alike.
@@ -93,13 +54,11 @@ void compute_forces(System& system, const ParallelLoops& loops) {
 
 void update_velocities(System& system, const ParallelLoops& loops) {
   if (system.platens.friction > 0.0) system.platen_shear.resize(system.particles.node_count(), 0.0);
-  system.external_work +=
-      system.sums.work_after + platen_work(system.sums, system.platens.last_velocity, system.time_step);
+  system.external_work += system.sums.work_after + platen_work(system);
   system.damping_energy += 0.5 * system.sums.damping;
   system.sums = move_nodes(system, loops);
-  for (std::size_t b = 0; b < system.blocks.size(); ++b) move_block(system, b);
-  system.external_work +=
-      system.sums.work_before + platen_work(system.sums, system.platens.last_velocity, system.time_step);
+  move_bodies(system);
+  system.external_work += system.sums.work_before + platen_work(system);
   system.damping_energy += 0.5 * system.sums.damping;
   system.platen_friction_energy += system.sums.platen_friction;
 }
@@ -110,12 +69,7 @@ void update_positions(System& system, const ParallelLoops& loops) {
   loops.for_blocks(p.node_count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node) p.position[node] += dt * p.velocity[node];
   });
-  for (int i = 0; i < 2; ++i) system.platens.y[i] += dt * system.platens.velocity[i];
-  system.platens.last_velocity = system.platens.velocity;
-  for (RigidBlock& block : system.blocks) {
-    block.displacement += dt * block.velocity;
-    block.last_velocity = block.velocity;
-  }
+  advance_bodies(system);
   system.general.travel += dt * std::sqrt(system.sums.fastest);
   system.time += dt;
   ++system.step;

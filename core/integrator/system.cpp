@@ -43,6 +43,7 @@ NodeSums& NodeSums::operator+=(const NodeSums& o) {
     reaction[i] += o.reaction[i];
     on_blocks[i] += o.on_blocks[i];
   }
+  turning += o.turning;
   work_before += o.work_before;
   work_after += o.work_after;
   damping += o.damping;

@@ -7,6 +7,7 @@
 #include "core/base/parallel.hpp"
 #include "core/contact/bonded_contacts.hpp"
 #include "core/contact/general_contact.hpp"
+#include "core/integrator/drive_line.hpp"
 #include "core/integrator/outer_surface.hpp"
 #include "core/particles/particles.hpp"
 
@@ -21,6 +22,16 @@ struct JawFace {
   bool operator==(const JawFace&) const = default;
 };
 
+/// How the upper platen's face is turned: its height grows with the place along the specimen at rest; Eqs. (I24), (I25).
+struct FaceTurn {
+  double slope = 0;    ///< Tangent of the angle, counter-clockwise.
+  double pivot_x = 0;  ///< Where the face is as high as the platen, mm.
+  double reach = 0;    ///< Largest distance from there along x in the specimen at rest, mm.
+  double inertia = 0;  ///< About the hinge, tonne mm2 per mm of thickness; 0: it cannot turn.
+  double rate = 0;     ///< Of the slope during the coming step, 1/s.
+  double last_rate = 0;
+};
+
 /// Two rigid platens below and above the specimen, horizontal or curved, with penalty contact on every node; Eqs. (I5),
 /// (I6). Index 0 is the bottom one, 1 the top one.
 struct Platens {
@@ -30,6 +41,7 @@ struct Platens {
   std::array<double, 2> last_velocity{0, 0};  ///< mm/s during the last step.
   double friction = 0;                        ///< Coulomb coefficient.
   JawFace jaw;
+  FaceTurn upper;
 };
 
 /// How a node meets the platens: a spring (N/mm per mm of thickness) that acts beyond a depth (mm).
@@ -46,16 +58,27 @@ struct PlatenSprings {
   PlatenSpring at(std::size_t node) const;
 };
 
-/// A rigid block bonded to some nodes, which all have its velocity; Eqs. (I21)-(I23). It does not rotate.
+/// How a block turns against a spring about the middle of its nodes, or each of its parts about its own; Eq. (I26).
+struct BlockTurn {
+  std::vector<Vec2> arms;  ///< From the middle to each of the block's nodes at rest, mm; empty: it does not turn.
+  double stiffness = 0;    ///< N mm per rad and mm of thickness.
+  double inertia = 0;      ///< Tonne mm2 per mm of thickness.
+  double angle = 0;        ///< Counter-clockwise, rad.
+  double rate = 0;         ///< rad/s during the coming step.
+  double last_rate = 0;
+};
+
+/// A rigid block bonded to some nodes, which move with it; Eqs. (I21)-(I23), (I26).
 struct RigidBlock {
   std::vector<int> nodes;     ///< Ascending.
-  double mass = 0;            ///< Of its nodes, tonne per mm of thickness: the block itself has none.
+  double mass = 0;            ///< Of its nodes, tonne per mm of thickness, and what the block adds.
   bool free_along_y = false;  ///< It follows the forces along y; its velocity is given otherwise.
   double load = 0;            ///< On a free one, along y, N per mm of thickness.
   Vec2 velocity;              ///< mm/s during the coming step.
   Vec2 last_velocity;         ///< During the last step.
   Vec2 reaction;              ///< Force of the specimen on the block at the last update, N per mm of thickness.
   Vec2 displacement;          ///< mm, since the start.
+  BlockTurn turn;
 };
 
 /// External forces (N per mm of thickness) on the few nodes that bear any, in ascending order.
@@ -103,6 +126,7 @@ struct EnergyBalance {
 struct NodeSums {
   std::array<Vec2, 2> on_blocks;           ///< Force of the specimen on the rigid blocks, N per mm of thickness.
   std::array<double, 2> reaction{0, 0};    ///< Force on the bottom and top platen along y, N per mm of thickness, >= 0.
+  double turning = 0;                      ///< Moment on the upper platen about its hinge, N mm per mm of thickness.
   double work_before = 0, work_after = 0;  ///< External work of the half steps before and after this instant.
   double damping = 0, platen_friction = 0, platen_energy = 0, kinetic = 0;
   double fastest = 0;  ///< Largest squared speed, mm2/s2.
@@ -115,6 +139,7 @@ struct System {
   BondedContacts contacts;
   GeneralContacts general;
   Platens platens;
+  std::array<DriveLine, 2> lines;  ///< Of the bottom and top platen, or the first of the block that is driven.
   FlankPressure flank;
   Vec2 body_acceleration{0, 0};    ///< mm/s2, e.g. gravity.
   std::vector<std::uint8_t> held;  ///< Nodes that keep their velocity; empty: none.

@@ -59,8 +59,8 @@ Frame capture_frame(const System& system, const RunConfig& config, std::span<con
   frame.grain = p.grain;
   frame.fragment = find_fragments(system.contacts, p).of_triangle;
   frame.cracks = crack_segments(system.contacts, p);
-  for (CrackSegment& crack : frame.cracks) crack.energy_n_mm *= config.experiment.thickness_mm;
-  const double thickness = config.experiment.thickness_mm;
+  const double thickness = strip_thickness(config);
+  for (CrackSegment& crack : frame.cracks) crack.energy_n_mm *= thickness;
   frame.contacts = bonded_contact_forces(system.contacts, p, thickness);
   const std::vector<ContactForce> general = general_contact_forces(system.general, p, thickness);
   frame.contacts.insert(frame.contacts.end(), general.begin(), general.end());

@@ -35,6 +35,7 @@ double mean_rise(const std::vector<int>& nodes, const Particles& p) {
 /// Forces across the joint, by the flank on which the lower half bears them; Eq. (M32).
 void add_flank_forces(const JointGauge& gauge, const System& system, JointReading& reading) {
   const GeneralContacts& general = system.general;
+  const double share = 1.0 / gauge.strips.count;
   for (std::size_t t = 0; t < general.touches.size(); ++t) {
     const MemberPair& pair = general.pairs[general.touches[t].pair];
     const int a = general.members[pair.a].triangle, b = general.members[pair.b].triangle;
@@ -44,7 +45,7 @@ void add_flank_forces(const JointGauge& gauge, const System& system, JointReadin
     const std::size_t upper = gauge.lower[a] ? 3 : 0;
     ToothReading& tooth = reading.teeth[flank / 2];
     Vec2& force = flank % 2 ? tooth.leading : tooth.trailing;
-    for (std::size_t i = 0; i < 3; ++i) force += general.forces[t][upper + i];
+    for (std::size_t i = 0; i < 3; ++i) force += share * general.forces[t][upper + i];
   }
 }
 
@@ -59,14 +60,23 @@ void add_damage(const JointGauge& gauge, const System& system, JointReading& rea
     if (flank >= 0 && contacts.is_crack(c)) ++reading.teeth[flank / 2].cracks;
   }
   const Fragments fragments = find_fragments(contacts, system.particles);
-  const int body = fragments.of_triangle[gauge.body];
   std::array<double, kMostTeeth> attached{};
   for (std::size_t t = 0; t < gauge.flank_of_triangle.size(); ++t) {
     const int flank = gauge.flank_of_triangle[t];
-    if (flank >= 0 && fragments.of_triangle[t] == body) attached[flank / 2] += system.particles.shape(t).area;
+    const int body = gauge.bodies[gauge.strips.of(t)];
+    if (flank >= 0 && fragments.of_triangle[t] == fragments.of_triangle[body]) attached[flank / 2] += system.particles.shape(t).area;
   }
   for (std::size_t i = 0; i < gauge.tooth_area_mm2.size(); ++i) {
     reading.teeth[i].attached_share = attached[i] / gauge.tooth_area_mm2[i];
+  }
+}
+
+/// Corners of a triangle of an upper half that stand on its rear or front end, at these x.
+void add_end_nodes(const Particles& p, std::size_t t, const std::array<double, 2>& ends, JointGauge& gauge) {
+  for (int node : p.triangles[t]) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (p.reference(node).x == ends[end]) gauge.ends[end].push_back(node);
+    }
   }
 }
 
@@ -79,19 +89,23 @@ DilationReading& DilationReading::operator-=(const DilationReading& o) {
   return *this;
 }
 
-JointGauge make_joint_gauge(const Particles& p, const JointProfile& profile, std::vector<std::uint8_t> lower) {
+JointGauge make_joint_gauge(const Particles& p, const JointProfile& profile, const JointStrips& strips,
+                            std::vector<std::uint8_t> lower) {
   JointGauge gauge;
   gauge.lower = std::move(lower);
+  gauge.strips = strips;
+  gauge.bodies.assign(strips.count, -1);
   gauge.tooth_area_mm2.assign(std::min(profile.teeth.size(), kMostTeeth), 0.0);
   for (std::size_t t = 0; t < p.triangle_count(); ++t) {
-    const int flank = gauge.lower[t] ? flank_at(profile, centroid(p, t)) : -1;
+    const Vec2 in_strip = centroid(p, t) - Vec2{0.0, strips.plane(strips.of(t))};
+    const int flank = gauge.lower[t] ? flank_at(profile, in_strip) : -1;
     gauge.flank_of_triangle.push_back(flank);
     if (flank >= 0) gauge.tooth_area_mm2[flank / 2] += p.shape(t).area;
-    if (gauge.lower[t] && centroid(p, t).y < centroid(p, gauge.body).y) gauge.body = static_cast<int>(t);
-    if (gauge.lower[t]) continue;
-    for (int node : p.triangles[t]) {
-      if (p.reference(node).x == 0.0) gauge.ends[0].push_back(node);
-      if (p.reference(node).x == profile.length()) gauge.ends[1].push_back(node);
+    if (gauge.lower[t]) {
+      int& body = gauge.bodies[strips.of(t)];
+      if (body < 0 || centroid(p, t).y < centroid(p, body).y) body = static_cast<int>(t);
+    } else {
+      add_end_nodes(p, t, {strips.upper_shift.x, strips.upper_shift.x + profile.length()}, gauge);
     }
   }
   return gauge;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/geometry/joint_profile.hpp"
+#include "core/geometry/joint_strips.hpp"
 #include "core/integrator/system.hpp"
 
 namespace asperity {
@@ -19,12 +19,12 @@ struct DilationReading {
   DilationReading& operator-=(const DilationReading& o);
 };
 
-/// One tooth of the lower half. Forces are those of the lower half on the upper one, N per mm of thickness.
+/// One tooth of the lower half, the mean over its strips. Forces are those of the lower half on the upper one, N per mm of thickness.
 struct ToothReading {
   Vec2 leading;              ///< On the flank that faces the lower half's motion.
   Vec2 trailing;             ///< On the other flank.
   double attached_share = 1; ///< Of the tooth's area: what still hangs together with the lower half's body.
-  int cracks = 0;            ///< Broken contacts in the tooth.
+  int cracks = 0;            ///< Broken contacts in the tooth, of all strips together.
 };
 
 /// What is read off a joint; stress on the plan area by Eq. (M30).
@@ -39,12 +39,14 @@ struct JointGauge {
   std::array<std::vector<int>, 2> ends;  ///< Nodes of the upper half's rear and front end.
   std::vector<std::uint8_t> lower;       ///< 1: a triangle of the lower half.
   std::vector<int> flank_of_triangle;    ///< 2 tooth + (1 on the leading side) of the lower half's teeth; -1: none.
-  std::vector<double> tooth_area_mm2;
-  int body = 0;                          ///< A triangle of the lower half's body.
+  std::vector<double> tooth_area_mm2;    ///< Of all strips together.
+  JointStrips strips;
+  std::vector<int> bodies;               ///< A triangle of each strip's lower half's body.
 };
 
-/// `lower` has 1 for every triangle of the lower half.
-JointGauge make_joint_gauge(const Particles& particles, const JointProfile& profile, std::vector<std::uint8_t> lower);
+/// `lower` has 1 for every triangle of a lower half.
+JointGauge make_joint_gauge(const Particles& particles, const JointProfile& profile, const JointStrips& strips,
+                            std::vector<std::uint8_t> lower);
 
 DilationReading read_dilation(const JointGauge& gauge, const System& system);
 
