@@ -76,7 +76,7 @@ render::ChartFigure figure_of(const ToothedJoint& joint, const Strengths& runs) 
   chart.layers.emplace_back(line("Ladanyi & Archambault", normal, e.ladanyi_archambault, kGreen, kDashes[3]));
   chart.layers.emplace_back(line("friction on the sheared base, φ_{j}", normal, e.residual_low, kBlack, kDashes[2]));
   chart.layers.emplace_back(render::PointLayer{
-      "simulated peak, one point a mesh", runs.normal, runs.peak, {render::MarkerShape::disc, 9, kInk}, {}, {}, {}});
+      "simulated peak, one point a mesh", runs.normal, runs.peak, {render::MarkerShape::disc, kInk, 9}, {}, {}, {}});
   const double highest = *std::max_element(runs.peak.begin(), runs.peak.end());
   chart.x_range = render::Range{0.0, most};
   chart.y_range = render::Range{0.0, 1.5 * highest};

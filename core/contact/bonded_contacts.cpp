@@ -149,21 +149,22 @@ void add_hand_over_force(const BondedContacts& contacts, std::size_t c, double g
                          const std::vector<Vec2>& position, std::span<Vec2> forces) {
   using namespace edge_update;
   const BrokenEdge& broken = contacts.broken[contacts.broken_index[c]];
-  const HandOver& h = broken.hand_over;
   const ContactEdge& edge = contacts.edges[c];
   const ContactFrame frame = contact_frame(edge, position);
   const MeanGap gap = mean_gap(frame);
   const double range = contacts.hand_over_range * edge.length;
-  const double distance = distance_since_breakage(h, gap, range);
+  const MeanGap since = since_breakage(broken, gap, range);
+  const double distance = distance_of(since, range);
   if (distance == 0.0 || distance >= 1.0) return;
   double own_energy = broken.end_stops.energy;
-  const LawParameters of_point = weighted(contacts.law, 0.5 * edge.length);  // its energies are N mm per mm of thickness
+  const LawParameters of_point =
+      weighted(contacts.law, 0.5 * edge.length);  // its energies are N mm per mm of thickness
   for (const PointState& s : contacts.memory.load(c)) {
     if (s.normal < 0.0) own_energy += consistent_law::closing_energy(s.normal, of_point);
   }
   const double slope = -4.0 * (1.0 - distance) / (range * range) * (own_energy - general_energy);
-  const double along_normal = slope * std::max(0.0, gap.opening - h.opening);
-  const double along_tangent = slope * (gap.slip - h.slip);
+  const double along_normal = slope * since.opening;
+  const double along_tangent = slope * since.slip;
   add_forces({0.5 * along_normal, 0.5 * along_tangent, 0.5 * along_normal, 0.5 * along_tangent,
               along_normal * gap.slip - along_tangent * gap.opening},
              frame, 1.0, c, forces);

@@ -166,15 +166,31 @@ HWY_INLINE unsigned update_packed(BondedContacts& contacts, std::size_t first, s
   return breaks;
 }
 
+/// Copies one contact's memory from one block to another.
+void copy_lane(const PackedPoints& from, PackedPoints& to, std::size_t lane) {
+  const auto rows = [&](const PackedPoints::Rows& source, PackedPoints::Rows& target) {
+    for (std::size_t q = 0; q < 2; ++q) target[q][lane] = source[q][lane];
+  };
+  rows(from.normal, to.normal);
+  rows(from.shear, to.shear);
+  rows(from.slip, to.slip);
+  rows(from.hardening, to.hardening);
+  rows(from.integrity_n, to.integrity_n);
+  rows(from.integrity_s, to.integrity_s);
+  rows(from.friction, to.friction);
+  rows(from.damage, to.damage);
+  rows(from.fracture_energy, to.fracture_energy);
+  to.friction_energy[lane] = from.friction_energy[lane];
+}
+
 /// The same where some, given by their bits, are broken and keep their memory.
 template <Contacts kKind>
 unsigned update_packed_but(unsigned broken, BondedContacts& contacts, std::size_t first, std::size_t count,
                            const ContactPass& pass, const Law& law) {
-  std::array<std::array<PointState, 2>, kPacked> kept;
-  for (std::size_t lane = 0; broken >> lane; ++lane) kept[lane] = contacts.memory.load(first + lane);
+  const PackedPoints kept = contacts.memory.packed[first / kPacked];
   const unsigned breaks = update_packed<kKind>(contacts, first, count, pass, law);
   for (std::size_t lane = 0; broken >> lane; ++lane) {
-    if (broken >> lane & 1) contacts.memory.store(first + lane, kept[lane]);
+    if (broken >> lane & 1) copy_lane(kept, contacts.memory.packed[first / kPacked], lane);
   }
   return breaks & ~broken;
 }

@@ -74,11 +74,17 @@ inline MeanGap mean_gap(const ContactFrame& frame) {
   return {dot(gap, frame.normal), dot(gap, frame.tangent)};
 }
 
-/// Slip and further opening since breakage over the range, squared: xi^2 of Eq. (C44).
-inline double distance_since_breakage(const HandOver& h, MeanGap gap, double range) {
-  const double slip = gap.slip - h.slip;
-  const double opening = std::max(0.0, gap.opening - h.opening);
-  return (slip * slip + opening * opening) / (range * range);
+/// Slip and further opening since breakage, mm, as Eq. (C44) counts them: of a defect, which the intact rock still
+/// holds in place, only what passes the range.
+inline MeanGap since_breakage(const BrokenEdge& broken, MeanGap gap, double range) {
+  const double play = broken.defect ? range : 0.0, slip = gap.slip - broken.hand_over.slip;
+  return {std::max(0.0, gap.opening - broken.hand_over.opening - play),
+          std::copysign(std::max(0.0, std::abs(slip) - play), slip)};
+}
+
+/// Both over the range, squared: xi^2 of Eq. (C44).
+inline double distance_of(MeanGap since, double range) {
+  return (since.slip * since.slip + since.opening * since.opening) / (range * range);
 }
 
 /// Eq. (C45).
@@ -157,7 +163,7 @@ bool update_broken_edge(BondedContacts& contacts, std::size_t c, const std::vect
   const bool hands_over = contacts.hand_over_range > 0.0;
   if (broken.break_time >= 0.0 && hands_over) {
     const double range = contacts.hand_over_range * edge.length;
-    h.weight = hand_over_weight(distance_since_breakage(h, mean_gap(frame), range));
+    h.weight = hand_over_weight(distance_of(since_breakage(broken, mean_gap(frame), range), range));
     if (h.weight == 0.0) {
       release(points, contacts.law);
       contacts.memory.store(c, points);
