@@ -152,6 +152,7 @@ TEST_CASE("a crushed specimen with defects and worn surfaces goes on from a chec
   RunConfig config = crushed_triaxial();
   config.mechanisms = {{"initial_defects", std::nullopt, {{"fraction", 0.05}}},
                        {"slip_weakening", std::nullopt, {{"slip_mm", 0.02}}}};
+  config.experiment.stop.axial_strain = 0.04;
   const int steps = 8000;
   const Run broken = broken_off(config, steps, scratch_file("worn.bin"));
   const std::vector<double>& wear = broken.model.system.general.wear;
