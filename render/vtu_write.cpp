@@ -94,7 +94,8 @@ void add_curve(vtkFieldData* data, const Frame& frame) {
   const FrameJaws& jaws = frame.jaws;
   if (jaws.radius_mm > 0.0) add_numbers(data, "jaws", {jaws.radius_mm, jaws.centre_x_mm, jaws.half_width_mm});
   const FrameJoint& j = frame.joint;
-  if (j.length_mm > 0.0) add_numbers(data, "joint", {j.length_mm, j.rise_mm, j.range_mm, j.shear_mm, j.dilation_mm, j.lift_mm});
+  if (j.length_mm > 0.0)
+    add_numbers(data, "joint", {j.length_mm, j.rise_mm, j.range_mm, j.shear_mm, j.dilation_mm, j.lift_mm});
   add_numbers(data, "curve_axial_strain", frame.curve.axial_strain);
   add_numbers(data, "curve_lateral_strain", frame.curve.lateral_strain);
   add_numbers(data, "curve_stress", frame.curve.stress_mpa);
@@ -197,7 +198,8 @@ std::string fields_vtu(const Frame& frame) {
        "displacement [mm]", "velocity [mm/s]", "axial_strain [-], shortening positive",
        "axial_stress [MPa], compression positive", "confining_pressure [MPa]", "platen_y [mm], bottom and top",
        "curve_axial_strain [-]", "curve_lateral_strain [-]", "curve_stress [MPa]",
-       "joint [mm]: length, rise of the profile, range of the shear displacement, shear displacement, dilation, lift of the upper block",
+       "joint [mm]: length, rise of the profile, range of the shear displacement, shear displacement, dilation, lift "
+       "of the upper block",
        "half: 0 lower, 1 upper (joints)"});
   add_curve(grid->GetFieldData(), frame);
   return bytes_of(grid);
@@ -207,8 +209,8 @@ std::string cracks_vtu(const Frame& frame) {
   const auto grid = line_grid(frame.cracks);
   add_crack_fields(grid->GetCellData(), frame.cracks);
   add_head(grid->GetFieldData(), frame,
-           {"points [mm]", "TimeValue [s]", "mode: 0 softening, 1 tension, 2 shear, 3 open before the test", "damage [-]", "opening [mm]",
-            "slip [mm]", "break_time [s], -1 while softening", "energy [N mm]"});
+           {"points [mm]", "TimeValue [s]", "mode: 0 softening, 1 tension, 2 shear, 3 open before the test",
+            "damage [-]", "opening [mm]", "slip [mm]", "break_time [s], -1 while softening", "energy [N mm]"});
   return bytes_of(grid);
 }
 

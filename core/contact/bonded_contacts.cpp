@@ -157,7 +157,8 @@ void add_hand_over_force(const BondedContacts& contacts, std::size_t c, double g
   const double distance = distance_since_breakage(h, gap, range);
   if (distance == 0.0 || distance >= 1.0) return;
   double own_energy = broken.end_stops.energy;
-  const LawParameters of_point = weighted(contacts.law, 0.5 * edge.length);  // its energies are N mm per mm of thickness
+  const LawParameters of_point =
+      weighted(contacts.law, 0.5 * edge.length);  // its energies are N mm per mm of thickness
   for (const PointState& s : contacts.memory.load(c)) {
     if (s.normal < 0.0) own_energy += consistent_law::closing_energy(s.normal, of_point);
   }

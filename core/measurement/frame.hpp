@@ -10,7 +10,8 @@ namespace asperity {
 /// State of a contact edge in the crack network. The numbers are those of the VTU array `mode`.
 enum class CrackMode : int { softening = 0, tension = 1, shear = 2, defect = 3 };
 
-/// One softening or broken contact edge, or one open before the test, in its present position (mm), midway between the two particles.
+/// One softening or broken contact edge, or one open before the test, in its present position (mm), midway between the
+/// two particles.
 struct CrackSegment {
   Vec2 a, b;
   CrackMode mode = CrackMode::softening;
@@ -51,9 +52,9 @@ struct FrameJaws {
 
 /// Where the two halves of a joint stand.
 struct FrameJoint {
-  double length_mm = 0;  ///< 0: no joint.
-  double rise_mm = 0;    ///< Height of the profile: the most that intact halves can dilate.
-  double range_mm = 0;   ///< Shear displacement at which the test ends.
+  double length_mm = 0;                  ///< 0: no joint.
+  double rise_mm = 0;                    ///< Height of the profile: the most that intact halves can dilate.
+  double range_mm = 0;                   ///< Shear displacement at which the test ends.
   double shear_mm = 0, dilation_mm = 0;  ///< As in curves.csv.
   double lift_mm = 0;                    ///< Of the upper block since the start: dilation and what the normal load did.
   bool operator==(const FrameJoint&) const = default;

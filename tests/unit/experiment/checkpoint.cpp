@@ -1,7 +1,7 @@
 #include "core/experiment/checkpoint.hpp"
 
-#include <catch2/catch.hpp>
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cstddef>
 #include <cstring>
 

@@ -81,9 +81,9 @@ TEST_CASE("energy is closed through the peak with each of the contacts' mechanis
   const Run base = run(uniaxial());
   WARN("base: peak " << base.peak() << " MPa, " << base.cracks() << " cracks, energy error " << base.energy_error());
   REQUIRE(base.cracks() > 10);
-  for (const std::string type : {"curved_envelope", "crack_closure", "coulomb_peak", "shear_softening",
-                                 "strength_scatter", "initial_defects", "weak_plane", "weak_skin", "slip_weakening",
-                                 "rate_strengthening"}) {
+  for (const std::string type :
+       {"curved_envelope", "crack_closure", "coulomb_peak", "shear_softening", "strength_scatter", "initial_defects",
+        "weak_plane", "weak_skin", "slip_weakening", "rate_strengthening"}) {
     const Run varied = run(with(uniaxial(), type));
     WARN(type << ": peak " << varied.peak() << " MPa, " << varied.cracks() << " cracks, energy error "
               << varied.energy_error() << ", largest wear " << largest_wear(varied) << " mm");
@@ -96,14 +96,11 @@ TEST_CASE("a mechanism at its neutral values is the base model to the last bit o
   const Run base = run(uniaxial());
   REQUIRE(base.cracks() > 0);
   using Values = std::map<std::string, double>;
-  const std::pair<std::string, Values> neutral[] = {{"curved_envelope", {{"exponent", 1.0}}},
-                                                    {"crack_closure", {{"stiffness_ratio", 1.0}}},
-                                                    {"coulomb_peak", {{"excess_deg", 0.0}}},
-                                                    {"weak_plane", {{"strength_ratio", 1.0}}},
-                                                    {"weak_skin", {{"strength_ratio", 1.0}}},
-                                                    {"initial_defects", {{"fraction", 0.0}}},
-                                                    {"slip_weakening", {{"residual_share", 1.0}}},
-                                                    {"rate_strengthening", {{"per_decade", 0.0}}}};
+  const std::pair<std::string, Values> neutral[] = {
+      {"curved_envelope", {{"exponent", 1.0}}},      {"crack_closure", {{"stiffness_ratio", 1.0}}},
+      {"coulomb_peak", {{"excess_deg", 0.0}}},       {"weak_plane", {{"strength_ratio", 1.0}}},
+      {"weak_skin", {{"strength_ratio", 1.0}}},      {"initial_defects", {{"fraction", 0.0}}},
+      {"slip_weakening", {{"residual_share", 1.0}}}, {"rate_strengthening", {{"per_decade", 0.0}}}};
   for (const auto& [type, values] : neutral) {
     INFO(type);
     CHECK(same_motion(run(with(uniaxial(), type, values)), base));
@@ -156,10 +153,10 @@ TEST_CASE("the literal law and the second form take strengths and defects too") 
     const Run base = run(config);
     const Run scattered = run(with(config, "strength_scatter", {{"weibull_modulus", 3.0}}));
     const Run defective = run(with(config, "initial_defects", {{"fraction", 0.1}}));
-    WARN((literal ? "literal" : "cohesive_frictional") << ": peaks " << base.peak() << ", scattered "
-                                                       << scattered.peak() << ", with defects " << defective.peak()
-                                                       << " MPa; energy errors " << base.energy_error() << ", " << scattered.energy_error() << ", "
-                                                       << defective.energy_error());
+    WARN((literal ? "literal" : "cohesive_frictional")
+         << ": peaks " << base.peak() << ", scattered " << scattered.peak() << ", with defects " << defective.peak()
+         << " MPa; energy errors " << base.energy_error() << ", " << scattered.energy_error() << ", "
+         << defective.energy_error());
     CHECK(scattered.peak() < base.peak());
     CHECK(scattered.cracks() > 10);
     CHECK(defective.cracks() > 10);

@@ -61,7 +61,8 @@ double distance_to_outline(Vec2 x) { return std::min({x.x, x.y, kWidth - x.x, kH
 
 TEST_CASE("strength_scatter: the contacts follow its Weibull law, and another modulus is refused") {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    const std::vector<double> factors = strengths(marked({{"strength_scatter", 1.0, {}}}, LawReading::consistent, seed).contacts);
+    const std::vector<double> factors =
+        strengths(marked({{"strength_scatter", 1.0, {}}}, LawReading::consistent, seed).contacts);
     REQUIRE(factors.size() > 3000);
     const double right = kolmogorov_smirnov(factors, 3.0);
     double mean = 0.0, neighbours = 0.0;
@@ -129,10 +130,9 @@ TEST_CASE("weak_skin: contacts with an end within the depth of the outline, and 
   }
   CHECK(skin > 200);
   CHECK(inside > 1000);
-  const std::vector<double> scatter = strengths(marked({{"strength_scatter", 1.0, {}}}).contacts),
-                            both = strengths(marked({{"strength_scatter", 1.0, {}},
-                                                     {"weak_skin", 1.0, {{"depth_mm", 3.0}}}})
-                                                 .contacts);
+  const std::vector<double>
+      scatter = strengths(marked({{"strength_scatter", 1.0, {}}}).contacts),
+      both = strengths(marked({{"strength_scatter", 1.0, {}}, {"weak_skin", 1.0, {{"depth_mm", 3.0}}}}).contacts);
   for (std::size_t c = 0; c < scatter.size(); ++c) CHECK(both[c] == Approx(scatter[c] * m.contacts.strength(c)));
 }
 
