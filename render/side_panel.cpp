@@ -209,7 +209,8 @@ Range inset_range(double low, double high, double present) {
 }  // namespace
 
 ExperimentTexts experiment_texts(const Frame& frame) {
-  if (frame.experiment == "brazilian") return {"Brazilian disc", "Closure / diameter", "Tensile stress 2P/(πDt)", "%", 100};
+  if (frame.experiment == "brazilian")
+    return {"Brazilian disc", "Closure / diameter", "Tensile stress 2P/(πDt)", "%", 100};
   if (frame.experiment == "uniaxial") return {"Uniaxial compression", "Axial strain", "Axial stress", "%", 100};
   if (frame.experiment == "triaxial") return {"Triaxial compression", "Axial strain", "Axial stress σ₁", "%", 100};
   if (frame.experiment == "direct_shear") {
@@ -235,7 +236,8 @@ PlotArea inset_area(const Frame& frame, const PictureOptions& options, const Box
   const double k = texts.strain_factor;
   const Range x = inset_range(k * strain.low, k * strain.high, k * frame.axial_strain);
   const Range y = inset_range(stress.low, stress.high, frame.stress_mpa);
-  return fit_axes(room, make_axis(x, texts.strain + " [" + texts.strain_unit + "]", 4), make_axis(y, texts.stress + " [MPa]", 6), {}, sizes);
+  return fit_axes(room, make_axis(x, texts.strain + " [" + texts.strain_unit + "]", 4),
+                  make_axis(y, texts.stress + " [MPa]", 6), {}, sizes);
 }
 }  // namespace
 

@@ -79,7 +79,7 @@ struct Later {
 /// Lanes of unbroken contacts, of which a point breaks now, one bit each.
 template <Contacts kKind>
 HWY_INLINE unsigned update_batch(PackedPoints& block, std::size_t lane, const Batch& batch, const Vec2* position,
-                                 const Law& law, const Later& later, double* forces) {
+                                 const Strengths& strengths, const Law& law, const Later& later, double* forces) {
   const Points l1 = node_positions<&ContactEdge::left1>(batch, position);
   const Points l2 = node_positions<&ContactEdge::left2>(batch, position);
   const Points r1 = node_positions<&ContactEdge::right1>(batch, position);
@@ -94,9 +94,12 @@ HWY_INLINE unsigned update_batch(PackedPoints& block, std::size_t lane, const Ba
   State s0 = load_state(block, 0, lane), s1 = load_state(block, 1, lane);
   Later::fetch(later.rows, 0, 6);
   const Points at0 = near * gap1 + far * gap2, at1 = far * gap1 + near * gap2;
-  const Outcome o0 = update_points<kKind>(s0, dot(at0, normal), dot(at0, tangent), law);
+  const Real normal0 = dot(at0, normal), normal1 = dot(at1, normal);
+  const Pressed pressed0 = press<kKind>(normal0, strengths, law);
+  const Pressed pressed1 = press<kKind>(normal1, strengths, law);  // beside the other: powers have long latencies
+  const Outcome o0 = update_points(s0, normal0, dot(at0, tangent), pressed0, strengths, law);
   Later::fetch(later.rows, 6, 12);
-  const Outcome o1 = update_points<kKind>(s1, dot(at1, normal), dot(at1, tangent), law);
+  const Outcome o1 = update_points(s1, normal1, dot(at1, tangent), pressed1, strengths, law);
   Later::fetch(later.rows, 12, 18);
   store_state(s0, o0, block, 0, lane);
   store_state(s1, o1, block, 1, lane);
@@ -140,10 +143,11 @@ edge_update::Breakage breakage_of(const BondedContacts& contacts, std::size_t c)
   return breakage;
 }
 
-/// The law of a register's contacts.
-HWY_INLINE Law law_of_lanes(const BondedContacts& contacts, std::size_t contact, const Law& law) {
-  if (contacts.strengths.empty()) return law;
-  return law.of_lanes(hn::Load(kDoubles, &contacts.strengths[contact / kPacked].factor[contact % kPacked]));
+/// The strengths of a register's contacts.
+template <Contacts kKind>
+HWY_INLINE Strengths strengths_of(const BondedContacts& contacts, std::size_t contact, const Law& law) {
+  if (kKind == Contacts::base || contacts.strengths.empty()) return law.strengths;
+  return scaled(law.strengths, hn::Load(kDoubles, &contacts.strengths[contact / kPacked].factor[contact % kPacked]));
 }
 
 /// Eight contacts with the vector kernel; the lanes of unbroken contacts of which a point breaks now, one bit each.
@@ -156,12 +160,8 @@ HWY_INLINE unsigned update_packed(BondedContacts& contacts, std::size_t first, s
   unsigned breaks = 0;
   for (std::size_t lane = 0; lane < count; lane += kLanes) {
     const Batch batch{&contacts.edges[first + lane], std::min(kLanes, count - lane)};
-    if constexpr (kKind == Contacts::base) {
-      breaks |= update_batch<kKind>(block, lane, batch, pass.position->data(), law, later, forces) << lane;
-    } else {
-      const Law of_lanes = law_of_lanes(contacts, first + lane, law);
-      breaks |= update_batch<kKind>(block, lane, batch, pass.position->data(), of_lanes, later, forces) << lane;
-    }
+    const Strengths strengths = strengths_of<kKind>(contacts, first + lane, law);
+    breaks |= update_batch<kKind>(block, lane, batch, pass.position->data(), strengths, law, later, forces) << lane;
   }
   return breaks;
 }

@@ -18,8 +18,8 @@ struct LawParameters {
   double kappa_ut = 0;                ///< delta_ut / delta_ct.
   double kappa_us = 1;                ///< delta_us / delta_cs: end of softening in pure shear; 1: breaks at the peak.
   double inverse_delta_ct = 0;        ///< 1 / delta_ct, 1/mm.
-  double coulomb = 0;  ///< Literal law: tan(phi_c) where Eq 6's peak is c_c + sigma_n tan(phi_c), else 0.
-  double tan_phi_peak = 0;       ///< Of the intact share's strength, at least tan(phi_c), which it is in the base model.
+  double coulomb = 0;       ///< Literal law: tan(phi_c) where Eq 6's peak is c_c + sigma_n tan(phi_c), else 0.
+  double tan_phi_peak = 0;  ///< Of the intact share's strength, at least tan(phi_c), which it is in the base model.
   double envelope_exponent = 1;  ///< Of that strength over the pressure, Eq. (D10); 1: straight.
   double closure_share = 0;      ///< 1 - k_0 / k_t of normal closing, Eq. (D11); 0: linear.
   double closure_length = 1;     ///< Of the same, mm.

@@ -33,48 +33,49 @@ HWY_INLINE Real set(double value) { return hn::Set(kDoubles, value); }
 HWY_INLINE bool any(Lanes lanes) { return !AllFalse(kDoubles, lanes); }
 HWY_INLINE Real clamp(Real value, Real limit) { return Max(Neg(limit), Min(value, limit)); }
 
+/// What goes with a contact's strength, Eq. (C57).
+struct Strengths {
+  Real cohesion;  ///< e c_c
+  Real c_c, inverse_delta_ct;
+  Real bend;  ///< tan(phi) / (n c_c) of Eq. (D10).
+};
+
 /// LawParameters in every lane, with the products and inverses the kernel needs.
 struct Law {
   Real k_t, k_s, inverse_k_s, half_k_t, half_inverse_k_s;
-  Real cohesion, slope;  ///< e c_c and e tan(phi_c): the normalised curve's factor is their sum over the pressure.
-  Real tan_phi, tan_phi_peak, c_c, inverse_delta_ct, range, shear_range;
+  Strengths strengths;  ///< At factor 1.
+  Real slope;           ///< e tan(phi): with the pressure and e c_c, the factor of the normalised curve.
+  Real tan_phi, tan_phi_peak, range, shear_range;
   // Of the varied kernel alone: Eqs. (D10), (D11).
   bool bends, closes;
-  Real exponent, bend, closure_share, closure_length;
+  Real exponent, closure_share, closure_length;
   explicit Law(const LawParameters& p)
       : k_t(set(p.k_t)),
         k_s(set(p.k_s)),
         inverse_k_s(set(1.0 / p.k_s)),
         half_k_t(set(0.5 * p.k_t)),
         half_inverse_k_s(set(0.5 / p.k_s)),
-        cohesion(set(consistent_law::kE * p.c_c)),
+        strengths{set(consistent_law::kE * p.c_c), set(p.c_c), set(p.inverse_delta_ct),
+                  set(p.tan_phi_peak / (p.envelope_exponent * p.c_c))},
         slope(set(consistent_law::kE * p.tan_phi_peak)),
         tan_phi(set(p.tan_phi)),
         tan_phi_peak(set(p.tan_phi_peak)),
-        c_c(set(p.c_c)),
-        inverse_delta_ct(set(p.inverse_delta_ct)),
         range(set(p.kappa_ut - 1.0)),
         shear_range(set(p.kappa_us - 1.0)),
         bends(p.envelope_exponent != 1.0),
         closes(p.closure_share != 0.0),
         exponent(set(p.envelope_exponent)),
-        bend(set(p.tan_phi_peak / (p.envelope_exponent * p.c_c))),
         closure_share(set(p.closure_share)),
         closure_length(set(p.closure_length)) {}
-
-  /// scaled() of every lane by its factor, Eq. (C57).
-  HWY_INLINE Law of_lanes(Real factor) const {
-    Law result = *this;
-    result.cohesion = Mul(cohesion, factor);
-    result.c_c = Mul(c_c, factor);
-    result.inverse_delta_ct = hn::Div(inverse_delta_ct, factor);
-    result.bend = hn::Div(bend, factor);
-    return result;
-  }
 };
 
-/// What the contacts of a run have: the base law, every contact the same, or strengths, a curved envelope or a closure of
-/// their own, Eqs. (C57), (D10), (D11). The base kernel pays nothing for the varied one.
+/// scaled() of every lane by its factor.
+HWY_INLINE Strengths scaled(const Strengths& s, Real factor) {
+  return {Mul(s.cohesion, factor), Mul(s.c_c, factor), hn::Div(s.inverse_delta_ct, factor), hn::Div(s.bend, factor)};
+}
+
+/// What the contacts of a run have: the base law, every contact the same, or strengths, a curved envelope or a closure
+/// of their own, Eqs. (C57), (D10), (D11). The base kernel pays nothing for the varied one.
 enum class Contacts { base, varied };
 
 /// pressure_at() of the scalar law.
@@ -82,29 +83,27 @@ template <Contacts kKind>
 HWY_INLINE Real pressure_at(Real normal, const Law& p) {
   if (kKind == Contacts::varied && p.closes) {
     const Real closing = Max(Zero(kDoubles), Neg(normal));
-    const Real spared =
-        hn::Div(Mul(Mul(p.closure_share, closing), p.closure_length), Add(closing, p.closure_length));
+    const Real spared = hn::Div(Mul(Mul(p.closure_share, closing), p.closure_length), Add(closing, p.closure_length));
     return Mul(p.k_t, Sub(closing, spared));
   }
   return Max(Zero(kDoubles), Neg(Mul(p.k_t, normal)));
 }
 
-/// Shear strength S of the intact share, and e S, the factor of the normalised curve; Eqs. (D2), (D10).
-struct ShearStrength {
-  Real strength, curve;
+/// Pressure, shear strength S of the intact share under it, and e S, the factor of the normalised curve; Eqs. (D2),
+/// (D10), (D11).
+struct Pressed {
+  Real pressure, strength, curve;
 };
 
 template <Contacts kKind>
-HWY_INLINE ShearStrength shear_strength(Real pressure, const Law& p) {
+HWY_INLINE Pressed press(Real normal, const Strengths& s, const Law& p) {
+  const Real pressure = pressure_at<kKind>(normal, p);
   if (kKind == Contacts::varied && p.bends) {
-    Real strength = p.c_c;
-    if (any(hn::Gt(pressure, Zero(kDoubles)))) {
-      const Real bent = power(Add(set(1.0), Mul(pressure, p.bend)), p.exponent);
-      strength = Max(Mul(p.c_c, bent), Mul(pressure, p.tan_phi));
-    }
-    return {strength, Mul(set(consistent_law::kE), strength)};
+    const Real bent = power(Add(set(1.0), Mul(pressure, s.bend)), p.exponent);
+    const Real strength = Max(Mul(s.c_c, bent), Mul(pressure, p.tan_phi));
+    return {pressure, strength, Mul(set(consistent_law::kE), strength)};
   }
-  return {Add(p.c_c, Mul(pressure, p.tan_phi_peak)), Add(p.cohesion, Mul(pressure, p.slope))};
+  return {pressure, Add(s.c_c, Mul(pressure, p.tan_phi_peak)), Add(s.cohesion, Mul(pressure, p.slope))};
 }
 
 /// S of Eqs. (D5), (D6) with (1 - D) for `intact`.
@@ -178,11 +177,11 @@ HWY_INLINE void hand_over(State& s, Real integrity_s, Real stress_before, Real s
   s.integrity_s = integrity_s;
 }
 
-/// consistent_law::update() of unbroken points.
-template <Contacts kKind>
-HWY_INLINE Outcome update_points(State& s, Real normal, Real shear, const Law& p) {
+/// consistent_law::update() of unbroken points; `now` is what they are pressed with at the present separation.
+HWY_INLINE Outcome update_points(State& s, Real normal, Real shear, const Pressed& now, const Strengths& strengths,
+                                 const Law& p) {
   const Real zero = Zero(kDoubles), one = set(1.0);
-  const Real pressure = pressure_at<kKind>(normal, p);
+  const Real pressure = now.pressure;
   Outcome out{{zero, zero}, zero, hn::Lt(zero, zero)};
   slide_broken_share(s, shear, pressure, p, out);
 
@@ -190,17 +189,16 @@ HWY_INLINE Outcome update_points(State& s, Real normal, Real shear, const Law& p
   const Real stress_before = Mul(p.k_s, Sub(s.shear, s.slip));
   const Real traction_before = Mul(s.integrity_s, stress_before);
   const Real trial = Mul(p.k_s, Sub(shear, s.slip));
-  const ShearStrength peak = shear_strength<kKind>(pressure, p);
   Real shear_secant = secant_factor(s.hardening, one);
-  const Real yield = Mul(Mul(peak.curve, s.hardening), shear_secant);
+  const Real yield = Mul(Mul(now.curve, s.hardening), shear_secant);
   const Real excess = Sub(hn::Abs(trial), yield);
   const Lanes yields = hn::Gt(excess, zero);
   Real slipped = zero;
   out.yields = any(yields);
   if (out.yields) {
-    s.hardening = IfThenElse(yields, Add(s.hardening, hn::Div(excess, peak.curve)), s.hardening);
+    s.hardening = IfThenElse(yields, Add(s.hardening, hn::Div(excess, now.curve)), s.hardening);
     shear_secant = secant_factor(s.hardening, one);
-    const Real held = hn::CopySign(Mul(Mul(peak.curve, s.hardening), shear_secant), trial);
+    const Real held = hn::CopySign(Mul(Mul(now.curve, s.hardening), shear_secant), trial);
     slipped = IfThenElseZero(yields, Mul(Sub(trial, held), p.inverse_k_s));
     s.slip = Add(s.slip, slipped);
   }
@@ -212,7 +210,7 @@ HWY_INLINE Outcome update_points(State& s, Real normal, Real shear, const Law& p
   const bool any_open = any(open);
   Real kappa = s.hardening, kappa_n2 = zero;
   if (any_open) {
-    const Real kappa_n = Mul(opening, p.inverse_delta_ct);
+    const Real kappa_n = Mul(opening, strengths.inverse_delta_ct);
     kappa_n2 = Mul(kappa_n, kappa_n);
     kappa = IfThenElse(open, hn::Sqrt(Add(kappa_n2, Mul(s.hardening, s.hardening))), kappa);
   }
@@ -220,7 +218,7 @@ HWY_INLINE Outcome update_points(State& s, Real normal, Real shear, const Law& p
   out.softens = any(softens);
   if (out.softens) {
     const Real beyond = Sub(kappa, one), tension_share = hn::Div(kappa_n2, Mul(kappa, kappa));
-    const Real shear_range = Mul(p.shear_range, hn::Div(p.c_c, peak.strength));
+    const Real shear_range = Mul(p.shear_range, hn::Div(strengths.c_c, now.strength));
     const Real range = Add(Mul(p.range, tension_share), Mul(shear_range, Sub(one, tension_share)));
     const Real present = IfThenElse(hn::Ge(beyond, range), one, hn::Div(beyond, range));
     s.damage = Max(s.damage, IfThenElseZero(softens, present));

@@ -23,7 +23,7 @@ struct Rubbing {
 
 /// Coulomb friction with elastic slip, Eqs. (C47)-(C49); a length of zero ends the contact. Books what is spent.
 Rubbing rub(EdgeFriction& f, double length, double incoming_slip, const EntryMotion& motion, double stiffness,
-           double limit, StepLosses& losses) {
+            double limit, StepLosses& losses) {
   const double energy = 0.5 * stiffness * f.length * f.slip * f.slip;
   const double before = stiffness * f.length * f.slip;
   if (length > f.length) f.slip = (f.length * f.slip + (length - f.length) * incoming_slip) / length;

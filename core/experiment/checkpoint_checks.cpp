@@ -244,7 +244,8 @@ std::string contradiction(const Model& fresh, const System& read, const RunState
   if (!std::all_of(read.blocks.begin(), read.blocks.end(), block_holds)) return "holds no state of the rigid blocks";
   if (!flank_holds(read.flank, fresh.system.flank, read.particles.node_count()))
     return "holds no state of the confining pressure";
-  if (!contacts_hold(read.contacts, read.time) || !same_defects(read.contacts, fresh.system.contacts)) return "holds no state of the bonded contacts";
+  if (!contacts_hold(read.contacts, read.time) || !same_defects(read.contacts, fresh.system.contacts))
+    return "holds no state of the bonded contacts";
   if (!general_holds(read)) return "holds no state of the general contacts";
   if (!program_holds(state.loading, fresh, read.time)) return "holds no state of the loading";
   if (!progress_holds(state, read.step)) return "holds no progress of a run";

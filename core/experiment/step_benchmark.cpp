@@ -95,13 +95,13 @@ std::size_t memory_of(const System& s) {
   const GeneralContacts& g = s.general;
   return bytes(p.position) + bytes(p.velocity) + bytes(p.mass) + bytes(p.vertex) + bytes(p.vertices) +
          bytes(p.triangles) + bytes(p.shapes) + bytes(p.grain) + bytes(c.edges) + bytes(c.memory.packed) +
-         bytes(c.memory.literal) + bytes(c.broken_index) + bytes(c.broken) + bytes(c.slot_of_edge) + bytes(c.strengths) +
-         bytes(g.members) + bytes(g.wear) + bytes(g.rubbing) +
-         bytes(g.pairs) + bytes(g.chain_contacts) + bytes(g.handing_over) + bytes(g.touches) + bytes(g.frames) +
-         bytes(g.forces) + bytes(g.set_free) + bytes(g.alive) + bytes(s.flank.edges) + bytes(s.flank.outline) +
-         bytes(s.held) + bytes(s.platen_springs.nodes) + bytes(s.platen_springs.springs) + bytes(s.platen_shear) +
-         bytes(s.forces) + bytes(s.loads.nodes) + bytes(s.loads.forces) + bytes(s.loads.places) +
-         bytes(s.gather.begin) + bytes(s.gather.index);
+         bytes(c.memory.literal) + bytes(c.broken_index) + bytes(c.broken) + bytes(c.slot_of_edge) +
+         bytes(c.strengths) + bytes(g.members) + bytes(g.wear) + bytes(g.rubbing) + bytes(g.pairs) +
+         bytes(g.chain_contacts) + bytes(g.handing_over) + bytes(g.touches) + bytes(g.frames) + bytes(g.forces) +
+         bytes(g.set_free) + bytes(g.alive) + bytes(s.flank.edges) + bytes(s.flank.outline) + bytes(s.held) +
+         bytes(s.platen_springs.nodes) + bytes(s.platen_springs.springs) + bytes(s.platen_shear) + bytes(s.forces) +
+         bytes(s.loads.nodes) + bytes(s.loads.forces) + bytes(s.loads.places) + bytes(s.gather.begin) +
+         bytes(s.gather.index);
 }
 
 System benchmark_system(int triangles) {

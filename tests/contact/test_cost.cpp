@@ -102,3 +102,18 @@ TEST_CASE("with a fifth of the contacts broken a step takes at most twice as lon
   CHECK(ratio <
         2.0);  // broken edges and general contact are scalar; an unbroken step in registers is five times faster
 }
+
+TEST_CASE("a mechanism of the contacts costs a step of a loaded specimen at most 30 %") {
+  const RunConfig config = specimen(54, 130);
+  System base = loaded(config), again = base;
+  WARN("the same step over itself: " << least_ratio(base, again, 40, 40));
+  for (const std::string type : {"strength_scatter", "curved_envelope", "crack_closure", "coulomb_peak", "weak_plane",
+                                 "weak_skin", "shear_softening", "rate_strengthening", "slip_weakening"}) {
+    RunConfig varied = config;
+    varied.mechanisms = {{type, std::nullopt, {}}};
+    System system = loaded(varied);
+    const double ratio = least_ratio(base, system, 40, 40);
+    WARN("step with " << type << " over step without: " << ratio);
+    CHECK(ratio < 1.3);
+  }
+}

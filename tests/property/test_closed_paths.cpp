@@ -102,7 +102,9 @@ TEST_CASE("Default law with softening in shear: no closed path returns net work 
   CHECK(fine.imbalance < 1.3e-4);
 }
 
-TEST_CASE("Default law with a curved envelope, closing cracks or both: no closed path returns net work, and the account closes") {
+TEST_CASE(
+    "Default law with a curved envelope, closing cracks or both: no closed path returns net work, and the account "
+    "closes") {
   LawParameters curved = kLaw, closing = kLaw;
   curved.envelope_exponent = 0.6;
   closing.closure_share = 0.7;

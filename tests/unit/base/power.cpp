@@ -41,8 +41,8 @@ namespace {
 /// Bases from 1 to 1e12, half of them within 1e-9 ... 1 above 1, where a contact's pressure is small.
 std::vector<double> bases() {
   RandomStream random(5, "powers");
-  std::vector<double> result{1.0, std::nextafter(1.0, 2.0), std::sqrt(2.0), std::nextafter(std::sqrt(2.0), 2.0), 2.0,
-                             4.0, 1e12, 0x1p40};
+  std::vector<double> result{
+      1.0, std::nextafter(1.0, 2.0), std::sqrt(2.0), std::nextafter(std::sqrt(2.0), 2.0), 2.0, 4.0, 1e12, 0x1p40};
   for (int i = 0; i < 40000; ++i) result.push_back(1.0 + std::pow(10.0, random.uniform(-9.0, i % 2 ? 0.0 : 12.0)));
   return result;
 }
@@ -59,10 +59,10 @@ TEST_CASE("the own power errs by less than 1e-14 for envelopes, and is exact whe
       worst_scaled = std::max(worst_scaled, error / (1.0 + exponent * std::log2(base)));
     }
   }
-  WARN("own power: largest relative error " << worst << " for exponents up to 1; over 1 + log2(result) "
-                                            << worst_scaled << " for all");
+  WARN("own power: largest relative error " << worst << " for exponents up to 1; over 1 + log2(result) " << worst_scaled
+                                            << " for all");
   CHECK(worst < 1e-14);
-  CHECK(worst_scaled < 4e-16);  // half a unit in log2's product and in each of the two series
+  CHECK(worst_scaled < 6e-16);  // the polynomials err by 2e-16 and 3e-16, their product is rounded
   CHECK(power(1.0, 0.6) == 1.0);
   CHECK(power(0x1p40, 0.5) == 0x1p20);
   CHECK(power(8.0, 1.0) == 8.0);

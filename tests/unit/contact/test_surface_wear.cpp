@@ -1,7 +1,7 @@
-#include "core/contact/surface_wear.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
+
+#include "core/contact/surface_wear.hpp"
 
 using namespace asperity;
 

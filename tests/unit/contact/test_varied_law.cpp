@@ -60,7 +60,8 @@ bool same_bits(const PointState& a, const PointState& b) {
   return std::memcmp(&a, &b, offsetof(PointState, broken)) == 0 && a.broken == b.broken;
 }
 
-/// A random walk through opening, closing and shear that breaks about half of the points; sizes over those at the peaks.
+/// A random walk through opening, closing and shear that breaks about half of the points; sizes over those at the
+/// peaks.
 struct Walk {
   RandomStream random;
   double normal = 0, shear = 0;

@@ -1,5 +1,6 @@
 #include "core/experiment/checkpoint.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstddef>
 #include <cstring>
@@ -145,6 +146,36 @@ TEST_CASE("a crushed specimen under pressure goes on from a checkpoint among gen
   REQUIRE(broken.model.system.general.touches.size() > 3);
   REQUIRE_FALSE(broken.model.system.general.handing_over.empty());
   check_round_trip(config, steps, "crushed.bin");
+}
+
+TEST_CASE("a crushed specimen with defects and worn surfaces goes on from a checkpoint to the same bits") {
+  RunConfig config = crushed_triaxial();
+  config.mechanisms = {{"initial_defects", std::nullopt, {{"fraction", 0.05}}},
+                       {"slip_weakening", std::nullopt, {{"slip_mm", 0.02}}}};
+  config.experiment.stop.axial_strain = 0.04;
+  const int steps = 8000;
+  const Run broken = broken_off(config, steps, scratch_file("worn.bin"));
+  const std::vector<double>& wear = broken.model.system.general.wear;
+  REQUIRE(std::count_if(wear.begin(), wear.end(), [](double w) { return w > 0.001; }) > 5);
+  check_round_trip(config, steps, "worn.bin");
+}
+
+TEST_CASE("a checkpoint whose defects are not those of the configuration, or whose wear is no length, is refused") {
+  RunConfig config = crushed_triaxial();
+  config.mechanisms = {{"initial_defects", std::nullopt, {{"fraction", 0.05}}}, {"slip_weakening", std::nullopt, {}}};
+  const auto refused = [&](const auto& spoil, const std::string& word) {
+    Run run(config);
+    run.go_on(50);
+    spoil(run.model.system);
+    const std::string bytes = checkpoint_bytes(run.model, run.state, kHash);
+    Run resumed(config);
+    CHECK_THROWS_WITH(read_checkpoint_bytes(bytes, "bytes", resumed.model, resumed.state, kHash),
+                      Catch::Contains(word));
+  };
+  refused([](System& s) { s.contacts.broken[0].defect = 0; }, "no state of the bonded contacts");
+  refused([](System& s) { s.contacts.broken[0].defect = 2; }, "no state of the bonded contacts");
+  refused([](System& s) { s.general.wear[3] = -1.0; }, "no state of the general contacts");
+  refused([](System& s) { s.general.wear.clear(); }, "another mesh");
 }
 
 TEST_CASE("a triaxial test goes on from a checkpoint in its hydrostatic stage to the same bits") {

@@ -144,8 +144,8 @@ struct Comparison {
   }
 };
 
-/// Everything the fast kernel writes of contacts; what it writes into the last register's other lanes is nobody's. To be
-/// compared by value: whether friction that has become nothing is 0 or -0 depends on a register's other lanes.
+/// Everything the fast kernel writes of contacts; what it writes into the last register's other lanes is nobody's. To
+/// be compared by value: whether friction that has become nothing is 0 or -0 depends on a register's other lanes.
 std::vector<double> after_update(Trial trial) {
   std::vector<Vec2> forces(2 * trial.contacts.slot_count());
   update_contacts(trial.contacts, trial.position, 1.0, kLoops, forces, Kernel::fast);
