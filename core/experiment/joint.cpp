@@ -48,7 +48,7 @@ RigidBlock make_block(const Particles& particles, const std::vector<double>& lev
   return block;
 }
 
-/// Lets the upper block turn about the middle of each strip's end; Eq. (I26) of core/integrator.
+/// Lets the upper block turn about the middle of each strip's end; I26 of core/integrator.
 void let_turn(const RunConfig& config, const JointStrips& strips, double length, const Particles& particles,
               RigidBlock& block) {
   const double stiffness = config.extensions.rotation_stiffness_n_mm_per_rad;

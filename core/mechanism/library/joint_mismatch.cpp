@@ -5,12 +5,12 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X16). The upper half does not lie where it fits; Eq. (E22).
+/// Eq. (X16). The upper half does not lie where it fits; E22 of core/experiment.
 const Registered kEntry{{
     .declaration =
         {.id = "joint_mismatch",
          .title = "halves of the joint that do not mate",
-         .equation = "(X16) the upper half is shifted along the joint by a gap and lifted until it touches: Eq. (E22)",
+         .equation = "(X16) the upper half is shifted along the joint by a gap and lifted until it touches, E22",
          .source = "Zhao 1997, Int. J. Rock Mech. 34, 173-178 (joint matching coefficient)",
          .reason = "0.5 mm: a tenth of the tooth's height, what relocating by hand leaves",
          .expectation = "joint stiffness down, peak later, early dilation down",
