@@ -52,7 +52,8 @@ inline bool resumes_to_the_same_bytes(const RunConfig& config, std::int64_t step
   part.go_on(ParallelLoops(), steps);
   if (part.state.stop != StopReason::interrupted || part.model.system.step >= whole.model.system.step) return false;
   BoundaryRun resumed(config);
-  read_checkpoint_bytes(checkpoint_bytes(part.model, part.state, hash), "state.bin", resumed.model, resumed.state, hash);
+  read_checkpoint_bytes(checkpoint_bytes(part.model, part.state, hash), "state.bin", resumed.model, resumed.state,
+                        hash);
   resumed.go_on(ParallelLoops(2));
   return same_bits(whole, resumed);
 }

@@ -50,7 +50,7 @@ RunConfig slow_column() {
   return c;
 }
 
-constexpr double kArea = 27.0;       // mm2 per mm of thickness
+constexpr double kArea = 27.0;        // mm2 per mm of thickness
 constexpr double kStiffness = 500.0;  // N/mm per mm: about the specimen's
 
 double nominal_closing(double load, double seating, double half) { return seating * load / (load + half); }
@@ -149,7 +149,8 @@ TEST_CASE("a joint behind a compliant frame: the drive leads the block by the li
   const double lag = last.closure_mm - lower.displacement.x;
   WARN("drive " << last.closure_mm << ", block " << lower.displacement.x << ", lag times K over load "
                 << lag * 400.0 / last.load_n_per_mm << ", energy error " << run.energy_error());
-  CHECK(lag * 400.0 == Approx(last.load_n_per_mm - run.state.samples.front().load_n_per_mm).epsilon(0.03));
+  CHECK(lag * 400.0 == Approx(last.load_n_per_mm - run.state.samples.front().load_n_per_mm)
+                           .epsilon(0.01));  // the load is a mean over the sample
   CHECK(run.energy_error() < 5e-3);
 }
 

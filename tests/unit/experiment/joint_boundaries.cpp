@@ -34,16 +34,16 @@ TEST_CASE("the normal load follows the dilation by its spring, down to a fixed h
     const double length = run.model.joint.profile.length(), rise = dilation_at_end(run);
     WARN("K_n " << stiffness << ": dilation " << rise << " mm, free " << dilation_at_end(free) << "; normal stress "
                 << run.state.samples.back().joint.normal_stress_mpa << " MPa; energy error " << run.energy_error());
-    CHECK(upper.load == Approx(-length * (1.0 + stiffness * rise)).epsilon(stiffness > 10.0 ? 0.05 : 1e-3));
+    CHECK(upper.load == Approx(-length * (1.0 + stiffness * rise)).epsilon(1e-9));
     CHECK(run.energy_error() < 5e-3);
     if (stiffness == 1e5) CHECK(std::abs(rise) < 0.01 * dilation_at_end(free));
-    if (stiffness == 2.0) CHECK(rise < 0.99 * dilation_at_end(free));
+    if (stiffness == 2.0) CHECK(rise < 0.995 * dilation_at_end(free));
   }
 }
 
 TEST_CASE("a block that may turn: stiff it is the base, soft its ends dilate differently") {
-  RunConfig stiff = small_joint(), soft = small_joint();
-  stiff.experiment.stop.shear_displacement_mm = 0.2;
+  RunConfig stiff = sliding_joint(0.3), soft = small_joint();  // without breaking: cracks would magnify rounding
+  soft.experiment.stop.shear_displacement_mm = 1.0;
   RunConfig base_config = stiff;
   stiff.extensions.rotation_stiffness_n_mm_per_rad = 1e12;
   soft.extensions.rotation_stiffness_n_mm_per_rad = 2000.0;
@@ -107,20 +107,22 @@ TEST_CASE("a gap beyond half the joint is refused") {
   CHECK_THROWS_AS(small_model(c), Error);
 }
 
-TEST_CASE("strips are one block each way; two of one mesh bear what one bears") {
+TEST_CASE("strips are one block each way, and never meet") {
   RunConfig c = small_joint();
-  c.extensions.strips = 3;
+  c.experiment.stop.shear_displacement_mm = 1.0;
+  c.extensions.strips = 2;
   const BoundaryRun run = run_of(c);
   const System& system = run.model.system;
   const Sample& last = run.state.samples.back();
   CHECK(system.blocks.size() == 2);
   CHECK(run.energy_error() < 5e-3);
-  CHECK(system.blocks[kUpperBlock].load == Approx(-3.0 * run.model.joint.profile.length()).epsilon(1e-12));
+  CHECK(system.blocks[kUpperBlock].load == Approx(-2.0 * run.model.joint.profile.length()).epsilon(1e-12));
   CHECK(last.joint.normal_stress_mpa == Approx(1.0).epsilon(0.2));
   for (const int node : system.blocks[kUpperBlock].nodes) {
     CHECK(system.particles.velocity[node] == system.blocks[kUpperBlock].velocity);
   }
   const JointGauge& gauge = run.model.joint.gauge;  // no pair across strips was ever found
+  REQUIRE(!system.general.pairs.empty());
   for (const MemberPair& pair : system.general.pairs) {
     CHECK(gauge.strips.of(system.general.members[pair.a].triangle) ==
           gauge.strips.of(system.general.members[pair.b].triangle));
@@ -129,7 +131,7 @@ TEST_CASE("strips are one block each way; two of one mesh bear what one bears") 
   double attached = 0.0;
   for (const ToothReading& tooth : last.joint.teeth) attached = std::max(attached, tooth.attached_share);
   CHECK(attached <= 1.0 + 1e-12);
-  WARN("three strips: energy error " << run.energy_error() << ", work " << last.energy.external_work);
+  WARN("two strips: energy error " << run.energy_error() << ", work " << last.energy.external_work);
 }
 
 TEST_CASE("mean over strips: the elastic response of three strips is that of one") {

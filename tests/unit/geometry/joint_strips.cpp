@@ -95,12 +95,11 @@ TEST_CASE("strips have their own seeds, share nothing and lie clear of each othe
   }
   CHECK(triangle == made.joint.zone.size());
   for (const auto* sets : {&vertices, &grains}) {
-    CHECK((*sets)[0].size() + (*sets)[1].size() + (*sets)[2].size() ==
-          [&] {
-            std::set<int> all;
-            for (const auto& s : *sets) all.insert(s.begin(), s.end());
-            return all.size();
-          }());
+    CHECK((*sets)[0].size() + (*sets)[1].size() + (*sets)[2].size() == [&] {
+      std::set<int> all;
+      for (const auto& s : *sets) all.insert(s.begin(), s.end());
+      return all.size();
+    }());
   }
   CHECK(made.strips.pitch_mm > 8.0 + 8.0 + 0.5 + 2.0 * (2.0 + 0.5));  // heights, lift and twice the dilation
 }

@@ -1,7 +1,7 @@
-#include "core/integrator/drive_line.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
+
+#include "core/integrator/drive_line.hpp"
 
 using namespace asperity;
 

@@ -31,6 +31,14 @@ System pressed(Kernel kernel, bool grains, double slope, double inertia) {
   return system;
 }
 
+/// The left corner just touches, and the platens close quickly.
+System touching(Kernel kernel, bool grains, double inertia) {
+  System system = pressed(kernel, grains, 0.02, inertia);
+  system.platens.y[1] = 14.18;
+  system.platens.velocity = system.platens.last_velocity = {300.0, -300.0};
+  return system;
+}
+
 bool same_bytes(const System& a, const System& b) {
   const auto same = [](const std::vector<Vec2>& x, const std::vector<Vec2>& y) {
     return std::memcmp(x.data(), y.data(), x.size() * sizeof(Vec2)) == 0;
@@ -81,8 +89,8 @@ TEST_CASE("the moment about the hinge is that of the nodes' forces, and turns th
 TEST_CASE("under a turned face the fast kernel is the reference, with any instruction set") {
   for (const bool grains : {false, true}) {
     for (const double inertia : {0.0, 2e-5}) {
-      System fast = pressed(Kernel::fast, grains, 0.02, inertia);
-      System reference = pressed(Kernel::reference, grains, 0.02, inertia);
+      System fast = touching(Kernel::fast, grains, inertia);
+      System reference = touching(Kernel::reference, grains, inertia);
       test::advance(fast, kLoops, 200);
       test::advance(reference, kLoops, 200);
       CHECK(fast.sums.reaction[1] > 0.0);
@@ -91,10 +99,10 @@ TEST_CASE("under a turned face the fast kernel is the reference, with any instru
         worst = std::max(worst, norm(fast.particles.velocity[i] - reference.particles.velocity[i]));
       }
       INFO("largest difference of velocities " << worst << " mm/s");
-      CHECK(worst < 1e-8 * 100.0);
+      CHECK(worst < 1e-8 * 300.0);  // 200 steps of rounding
       for (const InstructionSet& set : instruction_sets()) {
         const ForcedInstructionSet forced(set);
-        System again = pressed(Kernel::fast, grains, 0.02, inertia);
+        System again = touching(Kernel::fast, grains, inertia);
         test::advance(again, kLoops, 200);
         INFO(set.name);
         CHECK(same_bytes(again, fast));
@@ -105,9 +113,7 @@ TEST_CASE("under a turned face the fast kernel is the reference, with any instru
 
 TEST_CASE("the energy account of an elastic specimen under a face that turns is closed") {
   for (const double inertia : {0.0, 2e-5}) {
-    System system = pressed(Kernel::fast, false, 0.02, inertia);
-    system.platens.y[1] = 14.18;  // the left corner just touches
-    system.platens.velocity = system.platens.last_velocity = {300.0, -300.0};
+    System system = touching(Kernel::fast, false, inertia);
     test::advance(system, kLoops, 3000);
     compute_forces(system, kLoops);
     update_velocities(system, kLoops);
