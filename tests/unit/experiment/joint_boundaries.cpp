@@ -9,15 +9,11 @@ namespace {
 
 double dilation_at_end(const BoundaryRun& run) { return run.state.samples.back().joint.dilation.mean; }
 
-/// Largest difference of the shear stress over its largest value, row by row.
-double difference(const BoundaryRun& a, const BoundaryRun& b) {
-  double worst = 0.0, largest = 0.0;
-  REQUIRE(a.state.samples.size() == b.state.samples.size());
-  for (std::size_t i = 0; i < a.state.samples.size(); ++i) {
-    worst = std::max(worst, std::abs(a.state.samples[i].stress_mpa - b.state.samples[i].stress_mpa));
-    largest = std::max(largest, std::abs(b.state.samples[i].stress_mpa));
-  }
-  return worst / largest;
+/// The positions after so many steps.
+std::vector<Vec2> positions_after(const RunConfig& config, std::int64_t steps) {
+  BoundaryRun run(config);
+  step_until(run.model, run.state.loading, [&] { return run.model.system.step == steps; });
+  return run.model.system.particles.position;
 }
 
 }  // namespace
@@ -41,22 +37,36 @@ TEST_CASE("the normal load follows the dilation by its spring, down to a fixed h
   }
 }
 
-TEST_CASE("a block that may turn: stiff it is the base, soft its ends dilate differently") {
-  RunConfig stiff = sliding_joint(0.3), soft = small_joint();  // without breaking: cracks would magnify rounding
+TEST_CASE("a block that may turn against a stiff spring is the base") {
+  RunConfig c = sliding_joint(0.3);
+  c.integration.local_damping = 0.0;  // its changes of sign would magnify rounding
+  const Model fresh = small_model(c);
+  const std::vector<Vec2> base = positions_after(c, 1500);
+  c.extensions.rotation_stiffness_n_mm_per_rad = 1e12;
+  const std::vector<Vec2> turned = positions_after(c, 1500);
+  double moved = 0.0, apart = 0.0;
+  for (std::size_t i = 0; i < base.size(); ++i) {
+    moved = std::max(moved, norm(base[i] - fresh.system.particles.reference(i)));
+    apart = std::max(apart, norm(base[i] - turned[i]));
+  }
+  WARN("1e12: positions within " << apart / moved << " of the largest displacement, " << moved << " mm");
+  CHECK(apart < 1e-6 * moved);
+  const BoundaryRun run = run_of(c);
+  CHECK(std::abs(run.model.system.blocks[kUpperBlock].turn.angle) < 1e-9);
+}
+
+TEST_CASE("a block that turns freely dilates differently at its ends") {
+  RunConfig soft = small_joint();
   soft.experiment.stop.shear_displacement_mm = 1.0;
-  RunConfig base_config = stiff;
-  stiff.extensions.rotation_stiffness_n_mm_per_rad = 1e12;
   soft.extensions.rotation_stiffness_n_mm_per_rad = 2000.0;
-  const BoundaryRun base = run_of(base_config), turned = run_of(stiff), loose = run_of(soft);
-  WARN("1e12: shear stress within " << difference(turned, base) << " of the base");
-  CHECK(difference(turned, base) < 1e-6);
+  const BoundaryRun loose = run_of(soft);
   const DilationReading dilation = loose.state.samples.back().joint.dilation;
   const RigidBlock& upper = loose.model.system.blocks[kUpperBlock];
   const double length = loose.model.joint.profile.length();
   WARN("2000: angle " << upper.turn.angle << " rad, front " << dilation.front << ", rear " << dilation.rear
                       << " mm; energy error " << loose.energy_error());
   CHECK(std::abs(upper.turn.angle) > 1e-3);
-  CHECK(std::abs(dilation.front - dilation.rear) > 0.2 * length * std::abs(upper.turn.angle));
+  CHECK(std::abs(dilation.front - dilation.rear) > 0.9 * length * std::abs(upper.turn.angle));
   CHECK(loose.energy_error() < 5e-3);
 }
 
