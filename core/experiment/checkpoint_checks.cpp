@@ -67,15 +67,16 @@ bool lines_hold(const System& read, const System& fresh, double length) {
 
 bool platens_hold(const Platens& read, const Platens& fresh, double height) {
   const double most = kFarthestPlaten * height;
-  return same_flag(read.present, fresh.present) && face_holds(read.upper, fresh.upper) && read.friction == fresh.friction && read.jaw == fresh.jaw &&
-         within(read.y[0], -most, most) && within(read.y[1], -most, most) &&
+  return same_flag(read.present, fresh.present) && face_holds(read.upper, fresh.upper) &&
+         read.friction == fresh.friction && read.jaw == fresh.jaw && within(read.y[0], -most, most) &&
+         within(read.y[1], -most, most) &&
          all_finite({read.velocity[0], read.velocity[1], read.last_velocity[0], read.last_velocity[1]});
 }
 
 bool sums_hold(const NodeSums& s) {
   return all_finite({s.on_blocks[0].x, s.on_blocks[0].y, s.on_blocks[1].x, s.on_blocks[1].y, s.reaction[0],
-                     s.reaction[1], s.turning, s.work_before, s.work_after, s.damping, s.platen_friction, s.platen_energy,
-                     s.kinetic, s.fastest});
+                     s.reaction[1], s.turning, s.work_before, s.work_after, s.damping, s.platen_friction,
+                     s.platen_energy, s.kinetic, s.fastest});
 }
 
 bool motion_holds(const System& read) {

@@ -16,8 +16,7 @@ bool is_lower(JointZone zone) { return zone == JointZone::lower_elastic || zone 
 
 void set_bulk(const MaterialConfig& material, PlaneCondition plane, const std::vector<JointZone>& zones,
               Particles& particles) {
-  particles.bulk =
-      elastic_constants(material.youngs_modulus_gpa * units::kMpaPerGpa, material.poissons_ratio, plane);
+  particles.bulk = elastic_constants(material.youngs_modulus_gpa * units::kMpaPerGpa, material.poissons_ratio, plane);
   particles.in_bulk.resize(zones.size());
   std::transform(zones.begin(), zones.end(), particles.in_bulk.begin(),
                  [](JointZone zone) { return static_cast<std::uint8_t>(is_elastic(zone)); });
@@ -48,7 +47,7 @@ RigidBlock make_block(const Particles& particles, const std::vector<double>& lev
   return block;
 }
 
-/// Lets the upper block turn about the middle of each strip's end; Eq. (I26) of core/integrator.
+/// Lets the upper block turn about the middle of each strip's end; I26 of core/integrator.
 void let_turn(const RunConfig& config, const JointStrips& strips, double length, const Particles& particles,
               RigidBlock& block) {
   const double stiffness = config.extensions.rotation_stiffness_n_mm_per_rad;
@@ -65,9 +64,10 @@ void let_turn(const RunConfig& config, const JointStrips& strips, double length,
 void require_gap_within(const RunConfig& config) {
   const double length = joint_profile(config.joint).length(), gap = config.extensions.mismatch_mm;
   if (gap <= 0.5 * length) return;
-  throw Error(ErrorKind::config, {{"/mechanisms", "joint_mismatch shifts the upper half too far", std::to_string(gap) + " mm",
-                                   "gap_mm at most half the joint's length, " + std::to_string(0.5 * length) + " mm",
-                                   "give a smaller gap_mm"}});
+  throw Error(
+      ErrorKind::config,
+      {{"/mechanisms", "joint_mismatch shifts the upper half too far", std::to_string(gap) + " mm",
+        "gap_mm at most half the joint's length, " + std::to_string(0.5 * length) + " mm", "give a smaller gap_mm"}});
 }
 
 }  // namespace

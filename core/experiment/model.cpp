@@ -52,8 +52,8 @@ std::array<double, 2> corner_arms(const RunConfig& config) {
   return {-half - pivot, half - pivot};
 }
 
-/// Tilt and hinge of the upper platen, which stands so that the specimen's highest corner just touches it; Eqs. (I24)
-/// and (I25) of core/integrator.
+/// Tilt and hinge of the upper platen, which stands so that the specimen's highest corner just touches it; I24
+/// and I25 of core/integrator.
 void turn_upper_face(const RunConfig& config, Platens& platens) {
   const ModelExtensions& x = config.extensions;
   if (x.tilt_deg == 0.0 && !x.hinge_offset_mm) return;

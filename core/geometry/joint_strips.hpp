@@ -10,9 +10,9 @@ namespace asperity {
 /// halves may not lie where they fit; E22 and E24 of core/experiment.
 struct JointStrips {
   int count = 1;
-  double pitch_mm = 0;      ///< From one strip's plane to the next one's.
-  Vec2 upper_shift;         ///< Of the upper halves from where they fit, mm.
-  std::vector<int> strip;   ///< Of each triangle; empty: all lie in the first.
+  double pitch_mm = 0;     ///< From one strip's plane to the next one's.
+  Vec2 upper_shift;        ///< Of the upper halves from where they fit, mm.
+  std::vector<int> strip;  ///< Of each triangle; empty: all lie in the first.
   int of(std::size_t triangle) const { return strip.empty() ? 0 : strip[triangle]; }
   double plane(int number) const { return number * pitch_mm; }  ///< y of a strip's plane, mm.
 };

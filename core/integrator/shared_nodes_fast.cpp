@@ -56,7 +56,8 @@ void write_corner_forces(System& system, std::size_t begin, std::size_t end) {
   }
 }
 
-/// Whether a node is for the scalar code: perhaps behind a flat platen's face or just leaving it, held, or part of a block.
+/// Whether a node is for the scalar code: perhaps behind a flat platen's face or just leaving it, held, or part of a
+/// block.
 bool is_special(const System& system, std::size_t node) {
   const double y = system.particles.position[node].y;
   return (system.platens.present && (y < system.platens.y[0] || y > lowest_of_upper_face(system.platens))) ||

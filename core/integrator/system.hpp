@@ -22,7 +22,8 @@ struct JawFace {
   bool operator==(const JawFace&) const = default;
 };
 
-/// How the upper platen's face is turned: its height grows with the place along the specimen at rest; Eqs. (I24), (I25).
+/// How the upper platen's face is turned: its height grows with the place along the specimen at rest; Eqs. (I24),
+/// (I25).
 struct FaceTurn {
   double slope = 0;    ///< Tangent of the angle, counter-clockwise.
   double pivot_x = 0;  ///< Where the face is as high as the platen, mm.

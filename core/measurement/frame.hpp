@@ -51,14 +51,14 @@ struct FrameJaws {
 
 /// Where the two halves of a joint stand.
 struct FrameJoint {
-  double length_mm = 0;  ///< 0: no joint.
-  double rise_mm = 0;    ///< Height of the profile: the most that intact halves can dilate.
-  double range_mm = 0;   ///< Shear displacement at which the test ends.
-  double shear_mm = 0;                   ///< Of the lower block; behind a compliant drive less than in curves.csv.
-  double dilation_mm = 0;                ///< As in curves.csv.
-  double lift_mm = 0;                    ///< Of the upper block since the start: dilation and what the normal load did.
-  int strips = 1;                        ///< Stacked along y.
-  double pitch_mm = 0;                   ///< From one strip to the next.
+  double length_mm = 0;    ///< 0: no joint.
+  double rise_mm = 0;      ///< Height of the profile: the most that intact halves can dilate.
+  double range_mm = 0;     ///< Shear displacement at which the test ends.
+  double shear_mm = 0;     ///< Of the lower block; behind a compliant drive less than in curves.csv.
+  double dilation_mm = 0;  ///< As in curves.csv.
+  double lift_mm = 0;      ///< Of the upper block since the start: dilation and what the normal load did.
+  int strips = 1;          ///< Stacked along y.
+  double pitch_mm = 0;     ///< From one strip to the next.
   bool operator==(const FrameJoint&) const = default;
 };
 

@@ -64,7 +64,8 @@ void add_damage(const JointGauge& gauge, const System& system, JointReading& rea
   for (std::size_t t = 0; t < gauge.flank_of_triangle.size(); ++t) {
     const int flank = gauge.flank_of_triangle[t];
     const int body = gauge.bodies[gauge.strips.of(t)];
-    if (flank >= 0 && fragments.of_triangle[t] == fragments.of_triangle[body]) attached[flank / 2] += system.particles.shape(t).area;
+    if (flank >= 0 && fragments.of_triangle[t] == fragments.of_triangle[body])
+      attached[flank / 2] += system.particles.shape(t).area;
   }
   for (std::size_t i = 0; i < gauge.tooth_area_mm2.size(); ++i) {
     reading.teeth[i].attached_share = attached[i] / gauge.tooth_area_mm2[i];

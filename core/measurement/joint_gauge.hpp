@@ -13,18 +13,19 @@ inline constexpr std::size_t kMostTeeth = 8;
 
 /// Rise of the upper half, mm.
 struct DilationReading {
-  double mean = 0;         ///< Of the block.
-  double front = 0;        ///< Of the upper half's end towards which the lower half moves...
-  double rear = 0;         ///< ...and of the other.
+  double mean = 0;   ///< Of the block.
+  double front = 0;  ///< Of the upper half's end towards which the lower half moves...
+  double rear = 0;   ///< ...and of the other.
   DilationReading& operator-=(const DilationReading& o);
 };
 
-/// One tooth of the lower half, the mean over its strips. Forces are those of the lower half on the upper one, N per mm of thickness.
+/// One tooth of the lower half, the mean over its strips. Forces are those of the lower half on the upper one, N per mm
+/// of thickness.
 struct ToothReading {
-  Vec2 leading;              ///< On the flank that faces the lower half's motion.
-  Vec2 trailing;             ///< On the other flank.
-  double attached_share = 1; ///< Of the tooth's area: what still hangs together with the lower half's body.
-  int cracks = 0;            ///< Broken contacts in the tooth, of all strips together.
+  Vec2 leading;               ///< On the flank that faces the lower half's motion.
+  Vec2 trailing;              ///< On the other flank.
+  double attached_share = 1;  ///< Of the tooth's area: what still hangs together with the lower half's body.
+  int cracks = 0;             ///< Broken contacts in the tooth, of all strips together.
 };
 
 /// What is read off a joint; stress on the plan area by Eq. (M30).
@@ -41,7 +42,7 @@ struct JointGauge {
   std::vector<int> flank_of_triangle;    ///< 2 tooth + (1 on the leading side) of the lower half's teeth; -1: none.
   std::vector<double> tooth_area_mm2;    ///< Of all strips together.
   JointStrips strips;
-  std::vector<int> bodies;               ///< A triangle of each strip's lower half's body.
+  std::vector<int> bodies;  ///< A triangle of each strip's lower half's body.
 };
 
 /// `lower` has 1 for every triangle of a lower half.

@@ -5,11 +5,11 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X18). The upper half may turn against a spring; Eq. (I26).
+/// Eq. (X18). The upper half may turn against a spring; I26 of core/integrator.
 const Registered kEntry{{
     .declaration = {.id = "block_rotation",
                     .title = "rotation of the upper half",
-                    .equation = "(X18) moment = K_theta theta about the middle of the upper block: Eq. (I26)",
+                    .equation = "(X18) moment = K_theta theta about the middle of the upper block, I26",
                     .source = "Jacobsson & Flansbjer 2013; Barton 1976 (rotation in unguided shear boxes)",
                     .reason = "1e5 N mm per rad and mm of thickness: 1 MPa on the rim of a 30 mm half turns it by some "
                               "degrees, an unguided box",

@@ -5,13 +5,13 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X15). The upper platen is tilted, or turns about a hinge beside the axis; Eqs. (I24), (I25).
+/// Eq. (X15). The upper platen is tilted, or turns about a hinge beside the axis; I24 and I25 of core/integrator.
 const Registered kEntry{{
     .declaration =
         {.id = "eccentric_load",
          .title = "tilted platen, load beside the axis",
-         .equation = "(X15) the upper face turned by a tilt, Eq. (I24); with an offset it hangs on a hinge so far from "
-                     "the axis, Eq. (I25)",
+         .equation = "(X15) the upper face turned by a tilt, I24; with an offset it hangs on a hinge so far from "
+                     "the axis, I25",
          .source = "ISRM suggested method for uniaxial compression 1979 (ends perpendicular within 0.001 rad)",
          .reason = "0.15 degrees: 2.6 times the ISRM's limit, a careless cut",
          .expectation = "peak down, the two sides strain differently, a toe",

@@ -5,12 +5,12 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X13). The drive reaches the platens, or the shear box, through a spring; Eq. (E20).
+/// Eq. (X13). The drive reaches the platens, or the shear box, through a spring; E20 of core/experiment.
 const Registered kEntry{{
     .declaration =
         {.id = "frame_compliance",
          .title = "compliance of the loading frame",
-         .equation = "(X13) F = K (u_drive - u_platen): Eq. (E20); what is measured as closure is the drive's",
+         .equation = "(X13) F = K (u_drive - u_platen), E20; what is measured as closure is the drive's",
          .source =
              "Salamon 1970, Int. J. Rock Mech. 7, 613-631; Hudson, Crouch & Fairhurst 1972, Eng. Geol. 6, 155-189",
          .reason = "as stiff as the strong case's specimen per mm of thickness, 500 N/mm: soft frames reach no more "

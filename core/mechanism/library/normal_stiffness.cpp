@@ -5,11 +5,11 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X17). A spring above the upper half resists dilation; Eq. (E23).
+/// Eq. (X17). A spring above the upper half resists dilation; E23 of core/experiment.
 const Registered kEntry{{
     .declaration = {.id = "normal_stiffness",
                     .title = "normal stiffness above the joint",
-                    .equation = "(X17) sigma_n = sigma_n0 + K_n v, v the dilation of the upper block: Eq. (E23)",
+                    .equation = "(X17) sigma_n = sigma_n0 + K_n v, v the dilation of the upper block, E23",
                     .source = "Leichnitz 1985, Int. J. Rock Mech. 22, 313-321; Skinas, Bandis & Demiris 1990 (constant "
                               "normal stiffness)",
                     .reason = "0.5 MPa/mm: the stiffness of rock around a joint of this length, and of the air or "

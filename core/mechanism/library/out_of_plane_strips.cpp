@@ -5,13 +5,12 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X19). The joint is several strips side by side under one block; Eq. (E24).
+/// Eq. (X19). The joint is several strips side by side under one block; E24 of core/experiment.
 const Registered kEntry{{
     .declaration =
         {.id = "out_of_plane_strips",
          .title = "strips side by side that fail one by one",
-         .equation =
-             "(X19) N strips of equal width, each with its own mesh, between the same two rigid blocks: Eq. (E24)",
+         .equation = "(X19) N strips of equal width, each with its own mesh, between the same two rigid blocks, E24",
          .source =
              "Daniels 1945, Proc. R. Soc. A 183, 405-435 (bundles of threads); the paper's plane model has one strip",
          .reason = "N = 4: a 100 mm wide tooth is four times as wide as its crack front stays straight",

@@ -5,12 +5,12 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X14). Ends and seats close under the first load and stay closed; Eq. (E21).
+/// Eq. (X14). Ends and seats close under the first load and stay closed; E21 of core/experiment.
 const Registered kEntry{{
     .declaration =
         {.id = "seating",
          .title = "seating of the specimen's ends",
-         .equation = "(X14) closing u_0 s / (s + s_0) at the largest stress s so far, never given back: Eq. (E21)",
+         .equation = "(X14) closing u_0 s / (s + s_0) at the largest stress s so far, never given back, E21",
          .source =
              "ISRM suggested methods (the toe that is cut off); Goodman 1976 (hyperbolic closure of unmated surfaces)",
          .reason = "0.1 mm, half of it at 1 MPa: ends flat to the ISRM's 0.02 mm on either side, capping and spherical "
