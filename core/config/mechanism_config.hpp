@@ -16,7 +16,7 @@ struct MechanismConfig {
   bool operator==(const MechanismConfig&) const = default;
 };
 
-/// How the friction of a kind of surface falls with the way it has slid; core/contact README, Eqs. (C55), (C56).
+/// How the friction of a kind of surface falls with the way it has slid; core/contact README, Eqs. C55, C56.
 struct FrictionWear {
   double residual_share = 1.0;        ///< Of tan(phi) that is left in the end; 1: none.
   double slip_mm = 1.0;               ///< Of the exponential.

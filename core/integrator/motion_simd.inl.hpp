@@ -49,7 +49,7 @@ struct Elasticity {
         twice_shear(hn::IfThenElse(inside, set(2.0 * in.shear), set(2.0 * out.shear))) {}
 };
 
-/// A triangle's motion against its shape: gradients, rotation and Biot strain, Eq. (P2).
+/// A triangle's motion against its shape: gradients, rotation and Biot strain, Eq. P2.
 struct Strain {
   Points gp, gq;
   Real cosine, sine, e11, e22, e12;
@@ -74,7 +74,7 @@ HWY_INLINE Strain biot_strain(const PackedShapes& shape, const Batch& batch, con
           Add(Mul(cosine, xy), Mul(sine, yy))};
 }
 
-/// Biot stress with its skew part, Eq. (P8), as t12 and t21.
+/// Biot stress with its skew part, Eq. P8, as t12 and t21.
 struct BiotStress {
   Real t11, t22, t12, t21;
 };

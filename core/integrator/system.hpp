@@ -111,7 +111,7 @@ struct EnergyBalance {
   double friction = 0;
   double damping = 0;
   double kinetic = 0;
-  double plasticity = 0;      ///< Spent on plastic strain of particles that yield, Eq. (P7).
+  double plasticity = 0;      ///< Spent on plastic strain of particles that yield, Eq. P7.
   double created_by_law = 0;  ///< Literal law only: what the law itself adds; not part of the balance.
   double sum() const { return elastic + recoverable + fracture + friction + damping + kinetic + plasticity; }
   double error() const { return external_work - sum(); }

@@ -10,7 +10,7 @@ const Registered kEntry{{
     .declaration =
         {.id = "coulomb_peak",
          .title = "steeper friction of the intact contact's shear peak",
-         .equation = "(X2) tau_peak = c_c + p tan(phi_c + excess) in Eqs. (D2), (C6); broken contacts keep tan(phi_c)",
+         .equation = "(X2) tau_peak = c_c + p tan(phi_c + excess) in Eqs. D2, C6; broken contacts keep tan(phi_c)",
          .source = "Hoek & Brown 1980, J. Geotech. Eng. 106, 1013-1035 (intact rock); Byerlee 1978, Pageoph 116, "
                    "615-626 (sliding). The paper's Eq. 6 has no pressure in its peak",
          .reason =

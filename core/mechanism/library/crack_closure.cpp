@@ -5,12 +5,12 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X5). Contacts are softer in compression until they have closed, Eq. (D11).
+/// Eq. (X5). Contacts are softer in compression until they have closed, Eq. D11.
 const Registered kEntry{{
     .declaration = {.id = "crack_closure",
                     .title = "closing of fine cracks at the contacts",
                     .equation = "(X5) p(u) = k_t (u - (1 - r) u d / (u + d)), u the closing of a contact, r = k_0/k_t: "
-                                "Eq. (D11); reversible",
+                                "Eq. D11; reversible",
                     .source = "Walsh 1965, J. Geophys. Res. 70, 399-411; Bandis, Lumsden & Barton 1983, Int. J. Rock "
                               "Mech. 20, 249-268 (hyperbolic closure)",
                     .reason = "r = 0.3 over 0.002 mm: moduli of rock at first loading are 0.2 to 0.5 of those behind "

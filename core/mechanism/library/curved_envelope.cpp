@@ -5,12 +5,12 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X4). The intact contact's shear strength bends over with pressure, Eq. (D10).
+/// Eq. (X4). The intact contact's shear strength bends over with pressure, Eq. D10.
 const Registered kEntry{{
     .declaration =
         {.id = "curved_envelope",
          .title = "curved shear envelope of the contacts",
-         .equation = "(X4) S(p) = c_c (1 + p tan(phi_c) / (n c_c))^n, never below p tan(phi_c): Eq. (D10); slope "
+         .equation = "(X4) S(p) = c_c (1 + p tan(phi_c) / (n c_c))^n, never below p tan(phi_c): Eq. D10; slope "
                      "tan(phi_c) at p = 0",
          .source =
              "Hoek & Brown 1980, J. Geotech. Eng. 106, 1013-1035; Hobbs 1970, J. Mech. Phys. Solids 18 (power law)",

@@ -11,7 +11,7 @@ using enum ExperimentType;
 const Registered kEntry{{
     .declaration = {.id = "damping",
                     .title = "local damping of the solver",
-                    .equation = "(X23) local_damping plus a change, Eq. (I3)",
+                    .equation = "(X23) local_damping plus a change, Eq. I3",
                     .source = "Cundall 1987; Potyondy & Cundall 2004 (0.7)",
                     .reason = "0.3 less: the range in use is 0.1 to 0.8",
                     .expectation = "peaks down by 2 to 4 %, more broken in the drop",

@@ -5,12 +5,12 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X7). A joint's surfaces wear as they slide under pressure, Eqs. (C55), (C56).
+/// Eq. (X7). A joint's surfaces wear as they slide under pressure, Eqs. C55, C56.
 const Registered kEntry{{
     .declaration =
         {.id = "joint_wear",
          .title = "friction of the joint that falls with slip under pressure",
-         .equation = "(X7) tan(phi_j) (r + (1 - r) exp(-w / s_c)), dw = ds p / p_ref: Eqs. (C55), (C56)",
+         .equation = "(X7) tan(phi_j) (r + (1 - r) exp(-w / s_c)), dw = ds p / p_ref: Eqs. C55, C56",
          .source =
              "Plesha 1987, Int. J. Numer. Anal. Methods Geomech. 11, 345-362 (damage by frictional work); Archard 1953",
          .reason = "r = 0.8 over 2 mm at 1 MPa: saw-cut surfaces lose 5 to 8 degrees of friction in a first pass",

@@ -8,11 +8,11 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X20). Particles yield, Eq. (P7).
+/// Eq. (X20). Particles yield, Eq. P7.
 const Registered kEntry{{
     .declaration = {.id = "particle_plasticity",
                     .title = "particles that yield",
-                    .equation = "(X20) |sigma_1 - sigma_2| <= Y in the plane, slip at constant area: Eq. (P7)",
+                    .equation = "(X20) |sigma_1 - sigma_2| <= Y in the plane, slip at constant area: Eq. P7",
                     .source = "Tresca; Wong & Baud 2012, J. Struct. Geol. 44, 25-53 (brittle-ductile transition)",
                     .reason =
                         "Y a fifth above the uniaxial strength that the contacts' Coulomb line gives: porous rock "

@@ -8,12 +8,12 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X3). Shear softens linearly behind its peak, Eq. (D9), where the base model drops.
+/// Eq. (X3). Shear softens linearly behind its peak, Eq. D9, where the base model drops.
 const Registered kEntry{{
     .declaration = {.id = "shear_softening",
                     .title = "softening in shear behind the contact's peak",
                     .equation =
-                        "(X3) G_II = c_c delta_cs (e - 2) + r G_I, the paper's Eq. 10 with shear's own peak: Eq. (D9)",
+                        "(X3) G_II = c_c delta_cs (e - 2) + r G_I, the paper's Eq. 10 with shear's own peak: Eq. D9",
                     .source = "Rice 1980 (Enrico Fermi School), slip weakening of intact rock; Wong 1982, Mech. Mater. "
                               "1, 3-17 (G_II of 2 to 60 times G_I)",
                     .reason = "r = 1: energies of shear fracture measured on rock are never below those of tension",

@@ -5,13 +5,13 @@ namespace {
 
 using enum ExperimentType;
 
-/// Eq. (X6). Fracture surfaces lose friction as they slide, Eq. (C55).
+/// Eq. (X6). Fracture surfaces lose friction as they slide, Eq. C55.
 const Registered kEntry{{
     .declaration =
         {.id = "slip_weakening",
          .title = "friction of fresh fractures that falls with slip",
          .equation =
-             "(X6) tan(phi) = tan(phi_c) (r + (1 - r) exp(-s / s_c)), s the way a fracture surface has slid: Eq. (C55)",
+             "(X6) tan(phi) = tan(phi_c) (r + (1 - r) exp(-s / s_c)), s the way a fracture surface has slid: Eq. C55",
          .source = "Barton 1976, Int. J. Rock Mech. 13, 255-279; Rice 1980",
          .reason = "r = 0.6 over 0.1 mm: phi from 36 to 24 degrees, gouge against a fresh fracture; the length is that "
                    "of fine grains",

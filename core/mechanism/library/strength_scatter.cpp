@@ -17,12 +17,12 @@ double weibull(RandomStream& stream, double m) {
   return std::max(kLeast, std::pow(-std::log1p(-stream.uniform()), 1.0 / m));
 }
 
-/// Eq. (X9). Contacts differ in strength: a Weibull field of mean 1, Eq. (C57).
+/// Eq. (X9). Contacts differ in strength: a Weibull field of mean 1, Eq. C57.
 const Registered kEntry{{
     .declaration = {.id = "strength_scatter",
                     .title = "strengths of the contacts scatter",
                     .equation = "(X9) factor f = w / Gamma(1 + 1/m), P(w < x) = 1 - exp(-x^m), independent from "
-                                "contact to contact: Eq. (C57)",
+                                "contact to contact: Eq. C57",
                     .source = "Weibull 1951, J. Appl. Mech. 18, 293-297; Tang 1997, Int. J. Rock Mech. 34, 249-261",
                     .reason =
                         "m = 3: a variation of 36 %, the usual homogeneity index of rock in such models is 1.5 to 5",
