@@ -228,7 +228,7 @@ TEST_CASE("another version's checkpoint is refused and changes nothing") {
   broken_off(short_disc(), 500, file);
   std::string text = read_file(file);
   const std::size_t version = text.find('\n') - 1;
-  text[version] = '0';
+  text[version] = text[version] == '0' ? '1' : '0';
   write_file_atomically(file, text);
   check_refused(file, "no checkpoint of this version");
 }
