@@ -54,7 +54,8 @@ void mark_contacts(const RunConfig& config, const Mesh& mesh, const Particles& p
     marked = true;
   }
   if (!marked) return;
-  set_strengths(contacts, marks.strength);
+  const bool differ = std::any_of(marks.strength.begin(), marks.strength.end(), [](double f) { return f != 1.0; });
+  if (differ) set_strengths(contacts, marks.strength);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (marks.defects[c]) open_from_start(contacts, c);
   }
