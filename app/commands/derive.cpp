@@ -7,6 +7,7 @@
 #include "core/base/units.hpp"
 #include "core/config/read_config.hpp"
 #include "core/contact/closed_forms.hpp"
+#include "core/mechanism/mechanism.hpp"
 
 namespace asperity::app {
 namespace {
@@ -108,7 +109,7 @@ void print_lennard_jones() {
 }  // namespace
 
 int derive_command(const DeriveOptions& options) {
-  const RunConfig config = read_run_config(options.config, options.overrides);
+  const RunConfig config = with_mechanisms(read_run_config(options.config, options.overrides));
   const DerivedParameters stress = derive(config, PlaneCondition::stress);
   const DerivedParameters strain = derive(config, PlaneCondition::strain);
   if (options.json) {

@@ -5,6 +5,8 @@
 
 #include "app/report/quantities.hpp"
 #include "app/report/run_parts.hpp"
+#include "core/config/mechanism_declaration.hpp"
+#include "core/config/schema_lookup.hpp"
 
 namespace asperity::app {
 namespace {
@@ -80,10 +82,29 @@ Markup file_link(const RunContext& context, const char* name) {
   return std::filesystem::exists(context.folder / name) ? html::link(name, name) : Markup(name);
 }
 
+/// "platen_friction (friction_coefficient 0.3)".
+std::string mechanism_words(const MechanismConfig& entry) {
+  std::string values;
+  for (const auto& [key, value] : mechanism_values(*find_mechanism(entry.type), entry)) {
+    values += (values.empty() ? "" : ", ") + key + " " + number_text(value);
+  }
+  return entry.type + " (" + values + ")";
+}
+
+/// What the run adds to the base model: nothing on the page can be read without it.
+std::vector<Markup> mechanism_notice(const RunConfig& config) {
+  std::string entries;
+  for (const MechanismConfig& entry : config.mechanisms) {
+    if (!is_off(entry)) entries += (entries.empty() ? "" : "; ") + mechanism_words(entry);
+  }
+  if (entries.empty()) return {};
+  return {html::notice(html::NoticeKind::information, "Not the base model: this run has " + entries + ".")};
+}
+
 }  // namespace
 
 std::vector<Markup> run_warnings(const RunContext& context) {
-  std::vector<Markup> notices;
+  std::vector<Markup> notices = mechanism_notice(context.config);
   const std::string outcome = context.manifest["outcome"].text();
   if (outcome != "finished")
     notices.push_back(html::notice(html::NoticeKind::warning, "This run is not finished (" + outcome +

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/config/read_config.hpp"
 #include "core/confrontation/curve_columns.hpp"
+#include "core/mechanism/mechanism.hpp"
 
 namespace asperity {
 namespace {
@@ -51,7 +52,7 @@ RunCurve read_run_curve(const fs::path& folder) {
                 {{folder.string(), "is no run folder: config.effective.json or curves.csv is missing", "",
                   "a folder that `asperity run` has written", ""}});
   }
-  RunCurve run{read_run_config(config), {}};
+  RunCurve run{with_mechanisms(read_run_config(config)), {}};
   run.curve = curve_of_run(read_csv(curves), run.config);
   return run;
 }

@@ -19,7 +19,8 @@ struct RunCurve {
   Curve curve;
 };
 
-/// Reads config.effective.json and curves.csv. Throws Error(config) where the folder holds no run.
+/// Reads config.effective.json, with what its mechanisms set, and curves.csv. Throws Error(config) where the folder
+/// holds no run.
 RunCurve read_run_curve(const std::filesystem::path& folder);
 
 }  // namespace asperity

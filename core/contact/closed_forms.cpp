@@ -149,6 +149,13 @@ LawParameters law_parameters(const RunConfig& config) {
                   "at least c_c delta_cs (e - 2) = " + std::to_string(least) + " N/mm",
                   "raise it, leave it out for Eq 6's drop, or raise shear_stiffness_mpa_per_mm"}});
   }
+  const ModelExtensions& x = config.extensions;
+  if (x.peak_friction_angle_deg.value_or(0.0) >= 90.0) {
+    throw Error(ErrorKind::config,
+                {{"/mechanisms", "coulomb_peak leads the peak's friction angle to a right angle or beyond",
+                  std::to_string(*x.peak_friction_angle_deg), "below 90 degrees with phi_c",
+                  "lower its excess_deg or amplitude"}});
+  }
   LawParameters p;
   p.k_t = d.k_t;
   p.k_s = d.k_s;
@@ -161,7 +168,6 @@ LawParameters law_parameters(const RunConfig& config) {
   p.kappa_ut = d.delta_ut / d.delta_ct;
   p.kappa_us = d.delta_us / d.delta_cs;
   p.inverse_delta_ct = 1.0 / d.delta_ct;
-  const ModelExtensions& x = config.extensions;
   p.tan_phi_peak = x.peak_friction_angle_deg ? std::tan(*x.peak_friction_angle_deg * units::kRadPerDeg) : p.tan_phi;
   p.coulomb = c.law.shear_peak == ShearPeak::coulomb ? p.tan_phi_peak : 0.0;
   p.envelope_exponent = x.envelope_exponent;

@@ -159,7 +159,8 @@ bool update_broken_edge(BondedContacts& contacts, std::size_t c, const std::vect
   }
   const ContactEdge& edge = contacts.edges[c];
   const ContactFrame frame = contact_frame(edge, position);
-  std::array<PointState, 2> points = contacts.points(c);
+  std::array<PointState, 2> points = contacts.memory.load(c);
+  for (std::size_t q = 0; q < 2; ++q) points[q].broken = broken.points[q];
   const bool hands_over = contacts.hand_over_range > 0.0;
   if (broken.break_time >= 0.0 && hands_over) {
     const double range = contacts.hand_over_range * edge.length;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/config/mechanism_declaration.hpp"
 #include "core/experiment/failure_entries.hpp"
 #include "core/experiment/joint_results.hpp"
 #include "core/measurement/capture.hpp"
@@ -23,6 +24,18 @@ constexpr double kKineticLimit = 0.02;
 bool compression(const Model& model) { return is_compression(model.config.experiment.type); }
 bool sheared(const Model& model) { return model.config.experiment.type == ExperimentType::direct_shear; }
 
+/// What was added to the base model, with every parameter's value; entries that are off are none.
+Json mechanism_entries(const RunConfig& config) {
+  Json entries = Json::array();
+  for (const MechanismConfig& entry : config.mechanisms) {
+    if (is_off(entry)) continue;
+    Json j = {{"type", entry.type}};
+    for (const auto& [key, value] : mechanism_values(*find_mechanism(entry.type), entry)) j[key] = value;
+    entries.push_back(std::move(j));
+  }
+  return entries;
+}
+
 Json experiment_entries(const Model& model, const RunState& state) {
   const ExperimentConfig& e = model.config.experiment;
   Json j;
@@ -39,6 +52,7 @@ Json experiment_entries(const Model& model, const RunState& state) {
   } else {
     j["diameter_mm"] = e.diameter_mm;
   }
+  if (Json entries = mechanism_entries(model.config); !entries.empty()) j["mechanisms"] = std::move(entries);
   j["triangles"] = model.mesh.triangles.size();
   j["contacts"] = model.system.contacts.size();
   j["time_step_s"] = model.system.time_step;

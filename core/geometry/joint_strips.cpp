@@ -56,7 +56,7 @@ JointAssembly make_joint_strips(const JointConfig& joint, const ParticleConfig& 
   JointAssembly made;
   JointStrips& strips = made.strips;
   ParticleConfig own = particles;
-  for (int s = 0; s < count; ++s, ++own.seed) {
+  for (int s = 0; s < count; ++s, own.seed += kStripSeeds) {
     JointMesh strip = make_joint_mesh(joint, own);
     if (gap_mm != 0.0) {
       strips.upper_shift = {gap_mm, mismatch_lift(strip.profile, gap_mm)};

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/geometry/joint_mesh.hpp"
@@ -28,9 +29,12 @@ struct JointAssembly {
 /// joint. The gap is below the joint's length.
 double mismatch_lift(const JointProfile& profile, double gap_mm);
 
-/// `count` meshes of the joint, with the seeds particles.seed, particles.seed + 1, and so on; upper halves shifted by
-/// gap_mm along x and lifted. One strip without a gap is make_joint_mesh() to the byte. The clear distance between
-/// strips is twice what the halves can dilate, and four coarse edges. Throws as make_joint_mesh() does.
+/// From one strip's seed to the next one's: so far apart that runs of neighbouring seeds share no mesh.
+inline constexpr std::uint64_t kStripSeeds = 1'000'000;
+
+/// `count` meshes of the joint, with the seeds particles.seed, particles.seed + kStripSeeds, and so on; upper halves
+/// shifted by gap_mm along x and lifted. One strip without a gap is make_joint_mesh() to the byte. The clear distance
+/// between strips is twice what the halves can dilate, and four coarse edges. Throws as make_joint_mesh() does.
 JointAssembly make_joint_strips(const JointConfig& joint, const ParticleConfig& particles, int count, double gap_mm);
 
 }  // namespace asperity

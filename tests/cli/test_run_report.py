@@ -44,6 +44,18 @@ class RunReport(support.CommandLineTest):
         self.assertIn(manifest["config_hash"], page.words)
         self.assertIn(manifest["ended_utc"], page.words)
 
+    def test_a_run_with_mechanisms_says_so_before_anything_else(self):
+        folder = SCRATCH / "mechanisms"
+        settings_text = '/mechanisms=[{"type":"platen_friction","amplitude":0.5},{"type":"damping","amplitude":0}]'
+        self.succeed("run", TINY, "--set", settings_text, "--out", folder, "--no-render")
+        self.succeed("report", folder)
+        words = self.page(folder).words
+        self.assertIn("Not the base model: this run has platen_friction (friction_coefficient 0.15).", words)
+        self.assertNotIn("damping_change", words)  # it is off
+        self.assertEqual(self.summary(folder)["experiment"]["mechanisms"], [{"type": "platen_friction", "friction_coefficient": 0.15}])
+        self.assertNotIn("Not the base model", self.page(self.disc).words)
+        self.assertNotIn("mechanisms", self.summary(self.disc)["experiment"])
+
     def test_pictures_have_a_slider_that_knows_every_frame(self):
         page = self.page(self.joint)
         data = json.loads(page.viewer)

@@ -80,7 +80,7 @@ TEST_CASE("strips have their own seeds, share nothing and lie clear of each othe
   std::size_t triangle = 0;
   std::vector<std::set<int>> vertices(3), grains(3);
   for (int strip = 0; strip < 3; ++strip) {
-    const JointMesh own = make_joint_strips(tooth(), particles(4 + strip), 1, 0.5).joint;
+    const JointMesh own = make_joint_strips(tooth(), particles(4 + strip * kStripSeeds), 1, 0.5).joint;
     for (std::size_t t = 0; t < own.zone.size(); ++t, ++triangle) {
       REQUIRE(made.strips.of(triangle) == strip);
       CHECK(made.joint.zone[triangle] == own.zone[t]);

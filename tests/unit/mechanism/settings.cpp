@@ -28,6 +28,19 @@ const LawParameters kBase = law_parameters(RunConfig{});
 
 }  // namespace
 
+TEST_CASE("coulomb_peak: a peak at a right angle is refused with its name") {
+  RunConfig steep;
+  steep.contacts.friction_angle_deg = 60.0;
+  CHECK_NOTHROW(law_parameters(with("coulomb_peak", {{"excess_deg", 29.0}}, steep)));
+  try {
+    law_parameters(with("coulomb_peak", {{"excess_deg", 30.0}}, steep));
+    FAIL("accepted");
+  } catch (const Error& error) {
+    CHECK(error.kind() == ErrorKind::config);
+    CHECK(std::string(error.what()).find("coulomb_peak") != std::string::npos);
+  }
+}
+
 TEST_CASE("curved_envelope: the exponent of the contact's strength; 1 is the base law") {
   const LawParameters law = law_with("curved_envelope");
   const double p = 5.0, y = 1.0 + p * kBase.tan_phi / (0.6 * kBase.c_c);
