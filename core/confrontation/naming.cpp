@@ -26,18 +26,10 @@ AmplitudeFit refit(const WhitenedFrame& frame, const VectorXd& difference, const
   return fit_amplitudes(frame.project(difference), frame.project(h.directions), least);
 }
 
-HypothesisFit fitted(const WhitenedFrame& frame, const std::vector<Candidate>& candidates, const Hypothesis& h) {
-  const AmplitudeFit change = refit(frame, h.difference, h, least_change(candidates, h));
-  const MatrixXd columns = frame.project(h.directions);
-  HypothesisFit fit;
-  fit.causes = h.causes;
-  fit.amplitude = h.amplitude + change.amplitude;
-  fit.misfit = change.misfit;
-  fit.residual = frame.unwhiten(frame.project(h.difference) - columns * change.amplitude);
-  const MatrixXd information =
-      columns.transpose() * columns + 1e-12 * MatrixXd::Identity(columns.cols(), columns.cols());
-  fit.amplitude_error = information.inverse().diagonal().array().sqrt();
-  return fit;
+MatrixXd beside(const MatrixXd& a, const MatrixXd& b) {
+  MatrixXd both(a.rows(), a.cols() + b.cols());
+  both << a, b;
+  return both;
 }
 
 /// Noise of one repetition with the errors of the parameters' and the causes' effects.
@@ -88,12 +80,6 @@ void judge_one(const Comparison& comparison, const Scatter& scatter, const BaseF
   fit.kept = fit.p_misfit >= options.level && fit.p_excess >= options.level;
 }
 
-MatrixXd beside(const MatrixXd& a, const MatrixXd& b) {
-  MatrixXd both(a.rows(), a.cols() + b.cols());
-  both << a, b;
-  return both;
-}
-
 /// Largest part that any other candidate explains beyond the first.
 SecondCause strongest(const Comparison& comparison, const WhitenedFrame& frame, const VectorXd& difference,
                       const std::vector<Candidate>& candidates, const Hypothesis& first) {
@@ -109,6 +95,22 @@ SecondCause strongest(const Comparison& comparison, const WhitenedFrame& frame, 
 }
 
 }  // namespace
+
+HypothesisFit fit_hypothesis(const WhitenedFrame& frame, const BaseFit& base, const std::vector<Candidate>& candidates,
+                             const Hypothesis& h) {
+  const AmplitudeFit change = refit(frame, h.difference, h, least_change(candidates, h));
+  const MatrixXd columns = frame.project(h.directions);
+  const Index causes = columns.cols();
+  HypothesisFit fit;
+  fit.causes = h.causes;
+  fit.amplitude = h.amplitude + change.amplitude;
+  fit.misfit = change.misfit;
+  fit.residual = frame.unwhiten(frame.project(h.difference) - columns * change.amplitude);
+  fit.coded = base.coded + frame.solve(base.jacobian, h.difference - h.directions * change.amplitude);
+  fit.covariance = frame.information_inverse(beside(base.jacobian, h.directions));
+  fit.amplitude_error = fit.covariance.diagonal().tail(causes).array().sqrt();
+  return fit;
+}
 
 std::vector<Index> refit_candidates(const Gate& gate, const NamingOptions& options) {
   std::vector<Index> order(static_cast<std::size_t>(gate.pattern.explained.size()));
@@ -141,7 +143,7 @@ std::vector<HypothesisFit> judge(const Comparison& comparison, const Scatter& sc
   std::vector<HypothesisFit> fits;
   double best = std::numeric_limits<double>::max();
   for (const Hypothesis& h : hypotheses) {
-    fits.push_back(fitted(frame, candidates, h));
+    fits.push_back(fit_hypothesis(frame, fit, candidates, h));
     best = std::min(best, fits.back().misfit);
   }
   for (std::size_t k = 0; k < fits.size(); ++k) {
@@ -156,7 +158,7 @@ SecondCause second_cause(const Comparison& comparison, const Scatter& scatter, c
                          const NamingOptions& options) {
   const MatrixXd nuisance = beside(base.jacobian, first.directions);
   const WhitenedFrame whole(scatter.covariance, base.jacobian);
-  const HypothesisFit fit = fitted(whole, candidates, first);
+  const HypothesisFit fit = fit_hypothesis(whole, base, candidates, first);
   SecondCause second =
       strongest(comparison, WhitenedFrame(scatter.covariance, nuisance), first.difference, candidates, first);
   if (second.candidate < 0) return second;

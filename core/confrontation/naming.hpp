@@ -18,12 +18,14 @@ struct Hypothesis {
 struct HypothesisFit {
   std::vector<Eigen::Index> causes;
   Eigen::VectorXd amplitude, amplitude_error;
-  Eigen::VectorXd residual;  ///< Data less the refitted model, without what calibration absorbs.
-  double misfit = 0;         ///< T_k
-  double p_misfit = 0;       ///< Share of draws under this hypothesis that fit no better.
-  double excess = 0;         ///< T_k less the least T of all hypotheses.
-  double p_excess = 0;       ///< Share of draws under this hypothesis in which it lies as far behind the best.
-  bool kept = false;         ///< Both shares at or above the level: it may be the cause.
+  Eigen::VectorXd residual;    ///< Data less the refitted model, without what calibration absorbs.
+  Eigen::VectorXd coded;       ///< Parameters, refitted with the amplitudes.
+  Eigen::MatrixXd covariance;  ///< Of parameters and amplitudes together.
+  double misfit = 0;           ///< T_k
+  double p_misfit = 0;         ///< Share of draws under this hypothesis that fit no better.
+  double excess = 0;           ///< T_k less the least T of all hypotheses.
+  double p_excess = 0;         ///< Share of draws under this hypothesis in which it lies as far behind the best.
+  bool kept = false;           ///< Both shares at or above the level: it may be the cause.
 };
 
 struct NamingOptions {
@@ -33,6 +35,10 @@ struct NamingOptions {
   std::size_t most = 6;        ///< ... at most so many.
   std::size_t most_pairs = 3;  ///< Single causes that a second one is sought to.
 };
+
+/// Refits one hypothesis: all of HypothesisFit but what draws and rivals say.
+HypothesisFit fit_hypothesis(const WhitenedFrame& frame, const BaseFit& base, const std::vector<Candidate>& candidates,
+                             const Hypothesis& hypothesis);
 
 /// The candidates worth a refit, the one that explains most first.
 std::vector<Eigen::Index> refit_candidates(const Gate& gate, const NamingOptions& options);

@@ -17,6 +17,16 @@ constexpr double kLeastEffect = 0.2;  // standard deviations by which a step mus
 constexpr int kMostSteps = 20;
 constexpr double kSmallStep = 1e-9;
 
+using Decomposition = Eigen::JacobiSVD<MatrixXd>;
+
+/// With directions whose unit moves the data by less than kLeastEffect left out.
+Decomposition decompose(const MatrixXd& whitened) {
+  Decomposition svd(whitened, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const double largest = svd.singularValues().size() > 0 ? svd.singularValues()(0) : 0.0;
+  svd.setThreshold(largest > kLeastEffect ? kLeastEffect / largest : 1.0);
+  return svd;
+}
+
 /// Least squares for the parameters that are free.
 VectorXd solved_step(const MatrixXd& jacobian, const VectorXd& residual, const std::vector<bool>& free) {
   std::vector<Index> columns;
@@ -27,10 +37,7 @@ VectorXd solved_step(const MatrixXd& jacobian, const VectorXd& residual, const s
   if (columns.empty()) return step;
   MatrixXd part(jacobian.rows(), static_cast<Index>(columns.size()));
   for (std::size_t i = 0; i < columns.size(); ++i) part.col(static_cast<Index>(i)) = jacobian.col(columns[i]);
-  Eigen::JacobiSVD<MatrixXd> svd(part, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const double largest = svd.singularValues()(0);
-  svd.setThreshold(largest > 0.0 ? std::min(0.99, kLeastEffect / largest) : 0.99);
-  const VectorXd solution = svd.solve(residual);
+  const VectorXd solution = decompose(part).solve(residual);
   for (std::size_t i = 0; i < columns.size(); ++i) step(columns[i]) = solution(static_cast<Index>(i));
   return step;
 }
@@ -87,10 +94,8 @@ WhitenedFrame::WhitenedFrame(const MatrixXd& covariance, const MatrixXd& nuisanc
   lower_ = factor.matrixL();
   nuisance_.resize(covariance.rows(), 0);
   if (nuisance.cols() == 0) return;
-  const Eigen::JacobiSVD<MatrixXd> svd(whiten(nuisance), Eigen::ComputeThinU);
-  Index kept = 0;
-  while (kept < svd.singularValues().size() && svd.singularValues()(kept) > kLeastEffect) ++kept;
-  nuisance_ = svd.matrixU().leftCols(kept);
+  const Decomposition svd = decompose(whiten(nuisance));
+  nuisance_ = svd.matrixU().leftCols(svd.singularValues()(0) > kLeastEffect ? svd.rank() : 0);
 }
 
 MatrixXd WhitenedFrame::whiten(const MatrixXd& columns) const {
@@ -106,6 +111,21 @@ VectorXd WhitenedFrame::unwhiten(const VectorXd& standard) const {
   return lower_.triangularView<Eigen::Lower>() * standard;
 }
 
+VectorXd WhitenedFrame::solve(const MatrixXd& columns, const VectorXd& difference) const {
+  if (columns.cols() == 0) return VectorXd(0);
+  return decompose(whiten(columns)).solve(whiten(difference));
+}
+
+MatrixXd WhitenedFrame::information_inverse(const MatrixXd& columns) const {
+  const Index count = columns.cols();
+  if (count == 0) return MatrixXd(0, 0);
+  const Decomposition svd = decompose(whiten(columns));
+  MatrixXd inverse = MatrixXd::Zero(count, count);
+  for (Index i = 0; i < count && svd.singularValues()(i) > kLeastEffect; ++i)
+    inverse += svd.matrixV().col(i) * svd.matrixV().col(i).transpose() / std::pow(svd.singularValues()(i), 2);
+  return inverse;
+}
+
 BaseFit calibrate_base(const Comparison& comparison, const MatrixXd& covariance,
                        const std::vector<CalibratedParameter>& parameters) {
   const Index count = static_cast<Index>(parameters.size());
@@ -118,9 +138,8 @@ BaseFit calibrate_base(const Comparison& comparison, const MatrixXd& covariance,
   if (count > 0) descend(comparison, frame, parameters, fit);
   fit.jacobian = jacobian_at(comparison, fit.coded);
   fit.difference = comparison.data - model_at(comparison, fit.coded);
-  const MatrixXd whitened = frame.whiten(fit.jacobian);
-  const MatrixXd information = whitened.transpose() * whitened + 1e-4 * MatrixXd::Identity(count, count);
-  if (count > 0) fit.error = information.inverse().diagonal().array().sqrt();
+  fit.covariance = frame.information_inverse(fit.jacobian);
+  if (count > 0) fit.error = fit.covariance.diagonal().array().sqrt();
   return fit;
 }
 

@@ -17,7 +17,11 @@ class WhitenedFrame {
   Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;     ///< L^-1 x
   Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;    ///< P L^-1 x
   Eigen::VectorXd unwhiten(const Eigen::VectorXd& standard) const;  ///< L x
-  Eigen::Index absorbed() const { return nuisance_.cols(); }        ///< Number of directions taken out.
+  /// Least-squares coefficients of `columns` for a difference; directions without effect stay 0.
+  Eigen::VectorXd solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& difference) const;
+  /// (X' X)^-1 of the whitened columns: the covariance of their coefficients, directions without effect held at 0.
+  Eigen::MatrixXd information_inverse(const Eigen::MatrixXd& columns) const;
+  Eigen::Index absorbed() const { return nuisance_.cols(); }  ///< Number of directions taken out.
 
  private:
   Eigen::MatrixXd lower_, nuisance_;
@@ -26,6 +30,7 @@ class WhitenedFrame {
 /// Calibration of the base by the compared features, within what is believed of each parameter.
 struct BaseFit {
   Eigen::VectorXd coded, error;  ///< Parameters and their standard deviations, in steps.
+  Eigen::MatrixXd covariance;    ///< Of the parameters, in steps.
   std::vector<bool> determined;  ///< False: the data do not move it; it stays.
   std::vector<bool> limited;     ///< At the end of what is believed.
   Eigen::VectorXd difference;    ///< Data less the model there.
