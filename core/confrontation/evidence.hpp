@@ -37,7 +37,7 @@ struct TestEvidence {
 /// A microparameter that calibration may move, in coded units of its step.
 struct CalibratedParameter {
   std::string name;
-  double most = 3.0;  ///< Coded distance from the reference that is still believed.
+  double lower = -3.0, upper = 3.0;  ///< What is believed of it, coded.
 };
 
 /// A mechanism that may be the cause.
@@ -45,6 +45,8 @@ struct Candidate {
   std::string id;
   double amplitude = 0.6;  ///< Of its runs.
   bool two_sided = false;  ///< A setting that may be off either way.
+  bool suspect = false;    ///< A setting of the solver, no rock.
+  double most = 3.0;       ///< Largest amplitude that its parameters' ranges allow.
 };
 
 struct Evidence {

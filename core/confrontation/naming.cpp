@@ -106,7 +106,7 @@ HypothesisFit fit_hypothesis(const WhitenedFrame& frame, const BaseFit& base, co
   fit.amplitude = h.amplitude + change.amplitude;
   fit.misfit = change.misfit;
   fit.residual = frame.unwhiten(frame.project(h.difference) - columns * change.amplitude);
-  fit.coded = base.coded + frame.solve(base.jacobian, h.difference - h.directions * change.amplitude);
+  fit.coded = h.coded + frame.solve(base.jacobian, h.difference - h.directions * change.amplitude);
   fit.covariance = frame.information_inverse(beside(base.jacobian, h.directions));
   fit.amplitude_error = fit.covariance.diagonal().tail(causes).array().sqrt();
   return fit;
@@ -128,6 +128,7 @@ std::vector<Index> refit_candidates(const Gate& gate, const NamingOptions& optio
 Hypothesis linear_hypothesis(const Comparison& comparison, const BaseFit& fit, std::vector<Index> causes) {
   Hypothesis h;
   h.amplitude = VectorXd::Zero(static_cast<Index>(causes.size()));
+  h.coded = fit.coded;
   h.difference = fit.difference;
   h.directions.resize(fit.difference.size(), static_cast<Index>(causes.size()));
   for (std::size_t i = 0; i < causes.size(); ++i)

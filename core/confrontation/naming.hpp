@@ -10,6 +10,7 @@ namespace asperity {
 struct Hypothesis {
   std::vector<Eigen::Index> causes;  ///< Candidates' numbers.
   Eigen::VectorXd amplitude;         ///< At which it was run.
+  Eigen::VectorXd coded;             ///< Parameters at which it was run.
   Eigen::VectorXd difference;        ///< Data less that model.
   Eigen::MatrixXd directions;        ///< By cause: change of the model a unit of amplitude.
 };

@@ -56,9 +56,9 @@ void descend(const Comparison& comparison, const WhitenedFrame& frame,
     const VectorXd step = solved_step(jacobian, residual, free);
     bool held = false;
     for (Index p = 0; p < step.size(); ++p) {
-      const double most = parameters[static_cast<std::size_t>(p)].most;
+      const CalibratedParameter& parameter = parameters[static_cast<std::size_t>(p)];
       const double wanted = fit.coded(p) + step(p);
-      fit.coded(p) = std::clamp(wanted, -most, most);
+      fit.coded(p) = std::clamp(wanted, parameter.lower, parameter.upper);
       if (wanted == fit.coded(p)) continue;
       free[static_cast<std::size_t>(p)] = false;
       fit.limited[static_cast<std::size_t>(p)] = held = true;

@@ -95,7 +95,7 @@ inline Evidence evidence(const World& world, const Hidden& hidden, std::uint64_t
   RandomStream random(world.seed + 1000 * draw, "laboratory");
   Evidence evidence;
   for (int p = 0; p < world.parameters; ++p) evidence.parameters.push_back({"p" + std::to_string(p)});
-  for (int k = 0; k < world.candidates; ++k) evidence.candidates.push_back({"m" + std::to_string(k), 0.6, false});
+  for (int k = 0; k < world.candidates; ++k) evidence.candidates.push_back({"m" + std::to_string(k), 0.6});
   for (int t = 0; t < world.tests; ++t) evidence.tests.push_back(test_evidence(world, d, hidden, t, random));
   return evidence;
 }

@@ -102,7 +102,7 @@ TEST_CASE("specimens that scatter more than meshes do raise no alarm") {
 TEST_CASE("a cause and its twin are both kept") {
   const toy::World world;
   Evidence evidence = toy::evidence(world, hidden_cause(world, 2, 1.0), 7);
-  evidence.candidates.push_back({"twin", 0.6, false});
+  evidence.candidates.push_back({"twin", 0.6});
   for (TestEvidence& test : evidence.tests) test.mechanism.push_back(test.mechanism[2]);
   const Analysis a = analyse(std::move(evidence), 200);
   REQUIRE(a.gate.discrepancy);
@@ -115,7 +115,7 @@ TEST_CASE("a cause and its twin are both kept") {
 TEST_CASE("knobs that do nothing explain nothing") {
   const toy::World world;
   Evidence evidence = toy::evidence(world, hidden_cause(world, 1, 1.0), 3);
-  evidence.candidates.push_back({"nothing", 0.6, false});
+  evidence.candidates.push_back({"nothing", 0.6});
   for (TestEvidence& test : evidence.tests) test.mechanism.push_back(test.base.topRows(world.common));
   const Analysis a = analyse(std::move(evidence), 100);
   CHECK(a.gate.pattern.explained(world.candidates) == 0.0);
