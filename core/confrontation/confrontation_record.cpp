@@ -48,6 +48,15 @@ ordered_json frozen(const ConfrontationConfig& config, const ConfrontationTask& 
   return json;
 }
 
+constexpr std::vector<double> Curve::*kColumns[] = {&Curve::path,
+                                                    &Curve::load,
+                                                    &Curve::gauge_strain,
+                                                    &Curve::lateral_strain,
+                                                    &Curve::dilation_mm,
+                                                    &Curve::dilation_front_mm,
+                                                    &Curve::dilation_rear_mm,
+                                                    &Curve::events};
+
 /// The measured numbers alone: no name, material or source.
 ordered_json data_numbers(const MeasuredData& data) {
   ordered_json json = ordered_json::object();
@@ -55,9 +64,9 @@ ordered_json data_numbers(const MeasuredData& data) {
     ordered_json entry = ordered_json::object();
     for (const auto& [feature, values] : test.results) entry["results"][feature] = numbers(values);
     for (const SpecimenCurve& s : test.curves) {
-      const Curve& c = s.curve;
-      entry["curves"].push_back(
-          {numbers(c.path), numbers(c.load), numbers(c.transverse), numbers(c.gauge_strain), numbers(c.events)});
+      ordered_json columns = ordered_json::array();
+      for (const std::vector<double> Curve::*column : kColumns) columns.push_back(numbers(s.curve.*column));
+      entry["curves"].push_back(std::move(columns));
     }
     json[test.id] = std::move(entry);
   }
