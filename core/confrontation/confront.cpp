@@ -1,6 +1,7 @@
 #include "core/confrontation/confront.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/confrontation/extension_runs.hpp"
 
@@ -78,18 +79,37 @@ ExtensionGain extension_gain(const ConfrontationTask& task, const Confrontation&
   return extension;
 }
 
-void measure_gains(const ConfrontationTask& task, Confrontation& state) {
-  if (state.conclusion.status == VerdictStatus::nothing_found) return;
+bool among(const std::vector<HypothesisFit>& fits, Index cause) {
+  return std::any_of(fits.begin(), fits.end(), [&](const HypothesisFit& fit) {
+    return std::find(fit.causes.begin(), fit.causes.end(), cause) != fit.causes.end();
+  });
+}
+
+/// The candidates that would have been the next to be believed, best first: refitted ones, then by what they explain.
+std::vector<Index> decoy_candidates(const Confrontation& state, const NamingOptions& options) {
+  std::vector<Index> order, decoys;
+  for (const HypothesisFit& fit : state.conclusion.singles) order.push_back(fit.causes.front());
+  NamingOptions all = options;
+  all.near = std::numeric_limits<double>::max();
+  all.most = state.evidence.candidates.size();
+  for (const Index k : refit_candidates(state.gate, all)) {
+    if (!among(state.conclusion.singles, k)) order.push_back(k);
+  }
+  for (const Index k : order) {
+    if (decoys.size() < kDecoys && !among(state.conclusion.kept, k)) decoys.push_back(k);
+  }
+  return decoys;
+}
+
+void measure_gains(const ConfrontationTask& task, Confrontation& state, const HypothesisMaker& make) {
+  if (state.conclusion.kept.empty()) return;
   state.kept_back = compare(state.evidence, TestUse::hold_out);
   if (state.kept_back.data.size() > 0) state.kept_back_scatter = scatter_of(state.kept_back, task.options.draws.noise);
   for (const HypothesisFit& fit : state.conclusion.kept) state.extensions.push_back(extension_gain(task, state, fit));
-  for (const HypothesisFit& fit : state.conclusion.singles) {
-    const auto in = [&](const HypothesisFit& kept) {
-      return std::find(kept.causes.begin(), kept.causes.end(), fit.causes.front()) != kept.causes.end();
-    };
-    const std::vector<HypothesisFit>& kept = state.conclusion.kept;
-    if (state.decoys.size() < kDecoys && std::none_of(kept.begin(), kept.end(), in))
-      state.decoys.push_back(extension_gain(task, state, fit));
+  const WhitenedFrame frame(state.scatter.covariance, state.base.jacobian);
+  for (const Index k : decoy_candidates(state, task.options)) {
+    const HypothesisFit fit = fit_hypothesis(frame, state.base, state.evidence.candidates, make({{k}}).front());
+    state.decoys.push_back(extension_gain(task, state, fit));
   }
 }
 
@@ -113,7 +133,7 @@ Confrontation confront(ConfrontationTask task) {
   state.conclusion =
       conclude(state.fitted, state.scatter, state.base, state.gate, state.evidence.candidates, make, task.options);
   state.residuals = feature_residuals(state.fitted, state.scatter, state.base, state.evidence.parameters);
-  measure_gains(task, state);
+  measure_gains(task, state, make);
   return state;
 }
 
