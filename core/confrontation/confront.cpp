@@ -72,8 +72,8 @@ void simulate_effects(const ConfrontationTask& task, Confrontation& state) {
 ExtensionGain extension_gain(const ConfrontationTask& task, const Confrontation& state, const HypothesisFit& fit) {
   ExtensionGain extension{fit, std::nullopt};
   if (state.kept_back.data.size() == 0) return extension;
-  const Prediction base = predict_base(state.kept_back, state.kept_back_scatter, state.base);
-  Prediction with = predict_extension(state.kept_back, state.kept_back_scatter, fit);
+  const FeaturePrediction base = predict_base(state.kept_back, state.kept_back_scatter, state.base);
+  FeaturePrediction with = predict_extension(state.kept_back, state.kept_back_scatter, fit);
   if (task.linearised_at == LinearisedAt::calibrated) with.mean = extension_mean(task, state, fit);
   extension.gain = measure_gain(state.kept_back, state.kept_back_scatter, base, with, task.options.draws);
   return extension;

@@ -54,18 +54,18 @@ std::vector<FeatureGain> feature_gains(const Comparison& comparison, const Scatt
 
 double natural(const FeatureSlot& slot, double sample) { return slot.logarithmic ? std::exp(sample) : sample; }
 
-Prediction predict_base(const Comparison& comparison, const Scatter& scatter, const BaseFit& fit) {
+FeaturePrediction predict_base(const Comparison& comparison, const Scatter& scatter, const BaseFit& fit) {
   const MatrixXd columns = effects(comparison, fit.coded, {});
   return {model_at(comparison, fit.coded), scatter.covariance + columns * fit.covariance * columns.transpose()};
 }
 
-Prediction predict_extension(const Comparison& comparison, const Scatter& scatter, const HypothesisFit& fit) {
+FeaturePrediction predict_extension(const Comparison& comparison, const Scatter& scatter, const HypothesisFit& fit) {
   const MatrixXd columns = effects(comparison, fit.coded, fit.causes);
   return {model_at(comparison, fit.coded) + columns.rightCols(fit.amplitude.size()) * fit.amplitude,
           scatter.covariance + columns * fit.covariance * columns.transpose()};
 }
 
-double log_density(const VectorXd& data, const Prediction& prediction) {
+double log_density(const VectorXd& data, const FeaturePrediction& prediction) {
   const Eigen::LLT<MatrixXd> factor(prediction.covariance);
   const MatrixXd lower = factor.matrixL();
   const VectorXd z = lower.triangularView<Eigen::Lower>().solve(data - prediction.mean);
@@ -73,8 +73,8 @@ double log_density(const VectorXd& data, const Prediction& prediction) {
   return -0.5 * z.squaredNorm() - lower.diagonal().array().log().sum() - 0.5 * size * std::log(2.0 * std::numbers::pi);
 }
 
-Gain measure_gain(const Comparison& hold_out, const Scatter& scatter, const Prediction& base,
-                  const Prediction& extension, const GateOptions& options) {
+Gain measure_gain(const Comparison& hold_out, const Scatter& scatter, const FeaturePrediction& base,
+                  const FeaturePrediction& extension, const GateOptions& options) {
   Gain gain;
   gain.features = feature_gains(hold_out, scatter, base.mean, extension.mean);
   gain.rms_before = rms(gain.features, &FeatureGain::z_before);

@@ -8,19 +8,19 @@
 namespace asperity {
 
 /// What a model says of the compared slots before it sees their data.
-struct Prediction {
+struct FeaturePrediction {
   Eigen::VectorXd mean;
   Eigen::MatrixXd covariance;  ///< Of data less mean: scatter, and what is not known of parameters and amplitudes.
 };
 
 /// The base at its calibration, from effects on common meshes.
-Prediction predict_base(const Comparison& comparison, const Scatter& scatter, const BaseFit& fit);
+FeaturePrediction predict_base(const Comparison& comparison, const Scatter& scatter, const BaseFit& fit);
 
 /// An extension at its refitted parameters and amplitudes, likewise.
-Prediction predict_extension(const Comparison& comparison, const Scatter& scatter, const HypothesisFit& fit);
+FeaturePrediction predict_extension(const Comparison& comparison, const Scatter& scatter, const HypothesisFit& fit);
 
 /// Logarithm of the normal density of the data, Eq. (N17).
-double log_density(const Eigen::VectorXd& data, const Prediction& prediction);
+double log_density(const Eigen::VectorXd& data, const FeaturePrediction& prediction);
 
 /// One kept-back feature before and after.
 struct FeatureGain {
@@ -39,8 +39,8 @@ struct Gain {
   bool claimed() const { return low > 0.0; }
 };
 
-Gain measure_gain(const Comparison& hold_out, const Scatter& scatter, const Prediction& base,
-                  const Prediction& extension, const GateOptions& options);
+Gain measure_gain(const Comparison& hold_out, const Scatter& scatter, const FeaturePrediction& base,
+                  const FeaturePrediction& extension, const GateOptions& options);
 
 /// A feature's value in its own unit.
 double natural(const FeatureSlot& slot, double sample);

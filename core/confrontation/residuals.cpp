@@ -40,7 +40,7 @@ std::vector<FeatureResidual> feature_residuals(const Comparison& comparison, con
     BaseFit without = fit;
     if (!kept.empty())
       without = calibrate_base(restricted(comparison, kept), scatter.covariance(kept, kept), parameters);
-    const Prediction left_out = predict_base(comparison, scatter, without);
+    const FeaturePrediction left_out = predict_base(comparison, scatter, without);
     for (std::size_t i = 0; i < part.columns.size(); ++i) {
       const Index at = part.first + static_cast<Index>(i);
       const FeatureSlot& slot = *comparison.slots[static_cast<std::size_t>(at)];

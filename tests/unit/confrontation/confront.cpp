@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// A simulator whose runs are numbers: three tests of eight features that are linear in two parameters and three
+/// A simulator whose runs are numbers: three tests of eight features that are linear in two parameters and six
 /// mechanisms, with a scatter that a mesh has in common between runs.
 class ToySimulator {
  public:
@@ -54,7 +54,7 @@ class ToySimulator {
 
   std::size_t runs() const { return runs_; }
 
-  static constexpr int kTests = 4, kFeatures = 8, kParameters = 2, kMechanisms = 3;
+  static constexpr int kTests = 4, kFeatures = 8, kParameters = 2, kMechanisms = 6;
 
  private:
   static Index first(std::size_t test) { return static_cast<Index>(test) * kFeatures; }
@@ -116,7 +116,7 @@ TEST_CASE("about the reference no further run is made for a refit") {
   task.linearised_at = LinearisedAt::reference;
   const Confrontation c = confront(std::move(task));
   CHECK(verdict_causes(c) == std::vector<std::string>{"m2"});
-  const std::size_t a_test = 16 + 2 * 2 * 8 + 3 * 8;
+  const std::size_t a_test = 16 + 2 * 2 * 8 + 6 * 8;
   CHECK(simulator.runs() == 4 * a_test);
 }
 
