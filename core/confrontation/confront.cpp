@@ -106,9 +106,8 @@ void measure_gains(const ConfrontationTask& task, Confrontation& state, const Hy
   state.kept_back = compare(state.evidence, TestUse::hold_out);
   if (state.kept_back.data.size() > 0) state.kept_back_scatter = scatter_of(state.kept_back, task.options.draws.noise);
   for (const HypothesisFit& fit : state.conclusion.kept) state.extensions.push_back(extension_gain(task, state, fit));
-  const WhitenedFrame frame(state.scatter.covariance, state.base.jacobian);
   for (const Index k : decoy_candidates(state, task.options)) {
-    const HypothesisFit fit = fit_hypothesis(frame, state.base, state.evidence.candidates, make({{k}}).front());
+    const HypothesisFit fit = fit_hypothesis(state.scatter.covariance, state.evidence.candidates, make({{k}}).front());
     state.decoys.push_back(extension_gain(task, state, fit));
   }
 }

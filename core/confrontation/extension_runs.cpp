@@ -7,7 +7,13 @@ namespace asperity {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+constexpr int kMostRefits = 6;
+constexpr double kLongestStep = 4.0;       // of a parameter, in its own steps
+constexpr double kLongestAmplitude = 0.6;  // of a mechanism, over its declared strong one
+constexpr double kSmallGain = 1.0;         // of the misfit, that another point is not run for
 
 std::vector<MechanismAmplitude> mechanisms_of(const Evidence& evidence, const std::vector<Index>& causes,
                                               const VectorXd& amplitude) {
@@ -65,45 +71,79 @@ std::string stage_name(const Evidence& evidence, const std::vector<Index>& cause
   return name;
 }
 
+void keep_within(const Evidence& evidence, const std::vector<Index>& causes, VectorXd& coded, VectorXd& amplitude) {
+  for (Index p = 0; p < coded.size(); ++p) {
+    const CalibratedParameter& parameter = evidence.parameters[static_cast<std::size_t>(p)];
+    coded(p) = std::clamp(coded(p), parameter.lower, parameter.upper);
+  }
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    const Candidate& candidate = evidence.candidates[static_cast<std::size_t>(causes[i])];
+    double& a = amplitude(static_cast<Index>(i));
+    a = std::clamp(a, candidate.two_sided ? -candidate.most : 0.0, candidate.most);
+  }
+}
+
+/// Towards the linear fit, no farther than effects may still hold.
+void step_towards(const HypothesisFit& fit, const Evidence& evidence, Hypothesis& h) {
+  const VectorXd coded = fit.coded - h.coded, amplitude = fit.amplitude - h.amplitude;
+  double share = std::min(1.0, kLongestAmplitude / std::max(amplitude.cwiseAbs().maxCoeff(), kLongestAmplitude));
+  if (coded.size() > 0) share = std::min(share, kLongestStep / std::max(coded.cwiseAbs().maxCoeff(), kLongestStep));
+  h.coded += share * coded;
+  h.amplitude += share * amplitude;
+  keep_within(evidence, h.causes, h.coded, h.amplitude);
+}
+
+/// Broyden's update: the effects along the step are what two runs showed.
+void learn(Hypothesis& h, const VectorXd& coded, const VectorXd& amplitude, const VectorXd& change) {
+  const double square = coded.squaredNorm() + amplitude.squaredNorm();
+  if (square <= 0.0) return;
+  const VectorXd missed = change - h.jacobian * coded - h.directions * amplitude;
+  h.jacobian += missed * coded.transpose() / square;
+  h.directions += missed * amplitude.transpose() / square;
+}
+
+/// Runs the extension where the hypothesis stands and takes the difference there.
+void run_there(const ConfrontationTask& task, const Confrontation& state, const VectorXd& otherwise, Hypothesis& h) {
+  const std::vector<MechanismAmplitude> mechanisms = mechanisms_of(state.evidence, h.causes, h.amplitude);
+  const VectorXd change =
+      mean_change(task, state, state.fitted, h.coded, mechanisms, stage_name(state.evidence, h.causes), otherwise);
+  h.difference = state.fitted.data - state.fitted.model - change;
+}
+
+/// Gauss-Newton with Broyden's effects: every point is run, the best one stands.
+Hypothesis refitted_by_runs(const ConfrontationTask& task, const Confrontation& state,
+                            const std::vector<Index>& causes) {
+  const MatrixXd& covariance = state.scatter.covariance;
+  const WhitenedFrame whole(covariance, MatrixXd(covariance.rows(), 0));
+  const auto misfit = [&](const Hypothesis& h) { return whole.whiten(h.difference).squaredNorm(); };
+  Hypothesis h = linear_hypothesis(state.fitted, state.base, causes);
+  Hypothesis best = h;
+  for (int i = 0; i < kMostRefits; ++i) {
+    const Hypothesis before = h;
+    const HypothesisFit fit = fit_hypothesis(covariance, state.evidence.candidates, h);
+    step_towards(fit, state.evidence, h);
+    const VectorXd coded = h.coded - before.coded, amplitude = h.amplitude - before.amplitude;
+    const VectorXd reached = state.fitted.data - state.fitted.model - before.difference;
+    run_there(task, state, reached + h.jacobian * coded + h.directions * amplitude, h);
+    learn(h, coded, amplitude, before.difference - h.difference);
+    if (i == 0 || misfit(h) < misfit(best)) best = h;
+    if (misfit(best) - fit_hypothesis(covariance, state.evidence.candidates, best).misfit < kSmallGain) break;
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<Hypothesis> hypotheses_by_runs(const ConfrontationTask& task, const Confrontation& state,
                                            const std::vector<std::vector<Index>>& lists) {
-  const WhitenedFrame frame(state.scatter.covariance, state.base.jacobian);
   std::vector<Hypothesis> hypotheses;
-  for (const std::vector<Index>& causes : lists) {
-    Hypothesis h = linear_hypothesis(state.fitted, state.base, causes);
-    const HypothesisFit fit = fit_hypothesis(frame, state.base, state.evidence.candidates, h);
-    h.amplitude = fit.amplitude;
-    for (std::size_t i = 0; i < causes.size(); ++i) {
-      const double most = state.evidence.candidates[static_cast<std::size_t>(causes[i])].most;
-      h.amplitude(static_cast<Index>(i)) = std::clamp(h.amplitude(static_cast<Index>(i)), -most, most);
-    }
-    h.coded = fit.coded;
-    for (Index p = 0; p < h.coded.size(); ++p) {
-      const CalibratedParameter& parameter = state.evidence.parameters[static_cast<std::size_t>(p)];
-      h.coded(p) = std::clamp(h.coded(p), parameter.lower, parameter.upper);
-    }
-    const VectorXd linear = model_at(state.fitted, h.coded) - state.fitted.model + h.directions * h.amplitude;
-    const std::vector<MechanismAmplitude> mechanisms = mechanisms_of(state.evidence, causes, h.amplitude);
-    h.difference =
-        state.fitted.data - state.fitted.model -
-        mean_change(task, state, state.fitted, h.coded, mechanisms, stage_name(state.evidence, causes), linear);
-    hypotheses.push_back(std::move(h));
-  }
+  for (const std::vector<Index>& causes : lists) hypotheses.push_back(refitted_by_runs(task, state, causes));
   return hypotheses;
 }
 
 VectorXd extension_mean(const ConfrontationTask& task, const Confrontation& state, const HypothesisFit& fit) {
   VectorXd coded = fit.coded, amplitude = fit.amplitude;
-  for (Index p = 0; p < coded.size(); ++p) {
-    const CalibratedParameter& parameter = state.evidence.parameters[static_cast<std::size_t>(p)];
-    coded(p) = std::clamp(coded(p), parameter.lower, parameter.upper);
-  }
-  for (std::size_t i = 0; i < fit.causes.size(); ++i) {
-    const double most = state.evidence.candidates[static_cast<std::size_t>(fit.causes[i])].most;
-    amplitude(static_cast<Index>(i)) = std::clamp(amplitude(static_cast<Index>(i)), -most, most);
-  }
+  keep_within(state.evidence, fit.causes, coded, amplitude);
   const Comparison& kept_back = state.kept_back;
   const VectorXd linear = predict_extension(kept_back, state.kept_back_scatter, fit).mean - kept_back.model;
   return kept_back.model + mean_change(task, state, kept_back, coded,

@@ -63,11 +63,11 @@ void judge_one(const Comparison& comparison, const Scatter& scatter, const BaseF
   std::vector<double> misfits, excesses;
   for (int d = 0; d < options.draws.draws; ++d) {
     const DrawnNoise noise = drawn_noise(comparison, scatter, base, fit, options.draws.noise, random);
-    const WhitenedFrame frame(noise.covariance, base.jacobian);
     double own = 0.0, best = std::numeric_limits<double>::max();
     for (std::size_t j = 0; j < hypotheses.size(); ++j) {
       const Hypothesis& h = hypotheses[j];
       const VectorXd difference = h.difference - fit.residual + noise.error;
+      const WhitenedFrame frame(noise.covariance, h.jacobian);
       const double misfit = refit(frame, difference, h, least_change(candidates, h)).misfit;
       best = std::min(best, misfit);
       if (j == k) own = misfit;
@@ -96,8 +96,9 @@ SecondCause strongest(const Comparison& comparison, const WhitenedFrame& frame, 
 
 }  // namespace
 
-HypothesisFit fit_hypothesis(const WhitenedFrame& frame, const BaseFit& base, const std::vector<Candidate>& candidates,
+HypothesisFit fit_hypothesis(const MatrixXd& covariance, const std::vector<Candidate>& candidates,
                              const Hypothesis& h) {
+  const WhitenedFrame frame(covariance, h.jacobian);
   const AmplitudeFit change = refit(frame, h.difference, h, least_change(candidates, h));
   const MatrixXd columns = frame.project(h.directions);
   const Index causes = columns.cols();
@@ -106,8 +107,8 @@ HypothesisFit fit_hypothesis(const WhitenedFrame& frame, const BaseFit& base, co
   fit.amplitude = h.amplitude + change.amplitude;
   fit.misfit = change.misfit;
   fit.residual = frame.unwhiten(frame.project(h.difference) - columns * change.amplitude);
-  fit.coded = h.coded + frame.solve(base.jacobian, h.difference - h.directions * change.amplitude);
-  fit.covariance = frame.information_inverse(beside(base.jacobian, h.directions));
+  fit.coded = h.coded + frame.solve(h.jacobian, h.difference - h.directions * change.amplitude);
+  fit.covariance = frame.information_inverse(beside(h.jacobian, h.directions));
   fit.amplitude_error = fit.covariance.diagonal().tail(causes).array().sqrt();
   return fit;
 }
@@ -130,6 +131,7 @@ Hypothesis linear_hypothesis(const Comparison& comparison, const BaseFit& fit, s
   h.amplitude = VectorXd::Zero(static_cast<Index>(causes.size()));
   h.coded = fit.coded;
   h.difference = fit.difference;
+  h.jacobian = fit.jacobian;
   h.directions.resize(fit.difference.size(), static_cast<Index>(causes.size()));
   for (std::size_t i = 0; i < causes.size(); ++i)
     h.directions.col(static_cast<Index>(i)) = comparison.fingerprint.col(causes[i]);
@@ -140,11 +142,10 @@ Hypothesis linear_hypothesis(const Comparison& comparison, const BaseFit& fit, s
 std::vector<HypothesisFit> judge(const Comparison& comparison, const Scatter& scatter, const BaseFit& fit,
                                  const std::vector<Candidate>& candidates, const std::vector<Hypothesis>& hypotheses,
                                  const NamingOptions& options) {
-  const WhitenedFrame frame(scatter.covariance, fit.jacobian);
   std::vector<HypothesisFit> fits;
   double best = std::numeric_limits<double>::max();
   for (const Hypothesis& h : hypotheses) {
-    fits.push_back(fit_hypothesis(frame, fit, candidates, h));
+    fits.push_back(fit_hypothesis(scatter.covariance, candidates, h));
     best = std::min(best, fits.back().misfit);
   }
   for (std::size_t k = 0; k < fits.size(); ++k) {
@@ -157,9 +158,8 @@ std::vector<HypothesisFit> judge(const Comparison& comparison, const Scatter& sc
 SecondCause second_cause(const Comparison& comparison, const Scatter& scatter, const BaseFit& base,
                          const std::vector<Candidate>& candidates, const Hypothesis& first,
                          const NamingOptions& options) {
-  const MatrixXd nuisance = beside(base.jacobian, first.directions);
-  const WhitenedFrame whole(scatter.covariance, base.jacobian);
-  const HypothesisFit fit = fit_hypothesis(whole, base, candidates, first);
+  const MatrixXd nuisance = beside(first.jacobian, first.directions);
+  const HypothesisFit fit = fit_hypothesis(scatter.covariance, candidates, first);
   SecondCause second =
       strongest(comparison, WhitenedFrame(scatter.covariance, nuisance), first.difference, candidates, first);
   if (second.candidate < 0) return second;

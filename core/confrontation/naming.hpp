@@ -12,7 +12,8 @@ struct Hypothesis {
   Eigen::VectorXd amplitude;         ///< At which it was run.
   Eigen::VectorXd coded;             ///< Parameters at which it was run.
   Eigen::VectorXd difference;        ///< Data less that model.
-  Eigen::MatrixXd directions;        ///< By cause: change of the model a unit of amplitude.
+  Eigen::MatrixXd jacobian;          ///< By parameter: change of the model a step, there.
+  Eigen::MatrixXd directions;        ///< By cause: change of the model a unit of amplitude, there.
 };
 
 /// A hypothesis with amplitudes and parameters refitted.
@@ -38,7 +39,7 @@ struct NamingOptions {
 };
 
 /// Refits one hypothesis: all of HypothesisFit but what draws and rivals say.
-HypothesisFit fit_hypothesis(const WhitenedFrame& frame, const BaseFit& base, const std::vector<Candidate>& candidates,
+HypothesisFit fit_hypothesis(const Eigen::MatrixXd& covariance, const std::vector<Candidate>& candidates,
                              const Hypothesis& hypothesis);
 
 /// The candidates worth a refit, the one that explains most first.
