@@ -63,6 +63,20 @@ void read_meshes(ConfrontationConfig& config, std::vector<Fault>& faults) {
   at_most("screen", m.screen, "common", m.common);
 }
 
+/// Faults of the measured file are told as that file's.
+MeasuredData read_measured(const fs::path& path) {
+  try {
+    return read_measured_data(path);
+  } catch (const Error& error) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults) {
+      if (fault.where.starts_with("/") && fault.where != path.string())
+        fault.where = "/measured, " + path.string() + ": " + fault.where;
+    }
+    throw Error(error.kind(), std::move(faults));
+  }
+}
+
 ConfrontationConfig read_keys(const fs::path& path, json document) {
   ConfrontationConfig config;
   config.path = path;
@@ -89,7 +103,7 @@ const MeasuredTest* find_test(const MeasuredData& data, const std::string& id) {
 
 ConfrontationConfig read_confrontation(const fs::path& path, const std::vector<std::string>& overrides) {
   ConfrontationConfig config = read_keys(path, read_document(path, overrides));
-  config.measured = read_measured_data(config.measured_path);
+  config.measured = read_measured(config.measured_path);
   std::vector<Fault> faults;
   read_declared(config);
   read_meshes(config, faults);
