@@ -57,7 +57,8 @@ void add_validate(CLI::App& cli, Action& action) {
       cli.add_subcommand("validate", "Makes every check of `run`, the mesh's included, and writes nothing");
   command
       ->add_option("config", *configs,
-                   "Configurations (JSON) of runs or, by their \"$schema\", of campaigns, calibrations, measured data")
+                   "Configurations (JSON) of runs or, by their \"$schema\", of campaigns, calibrations, "
+                   "confrontations, measured data")
       ->required();
   add_overrides(*command, *overrides);
   command->footer("Example:\n  asperity validate configs/paper/*.json");
@@ -67,7 +68,7 @@ void add_validate(CLI::App& cli, Action& action) {
 void add_schema(CLI::App& cli, Action& action) {
   auto kind = std::make_shared<std::string>("run");
   CLI::App* command = cli.add_subcommand("schema", "Prints the JSON Schema of a kind of configuration");
-  command->add_option("kind", *kind, "run, campaign, calibration or measured")->capture_default_str();
+  command->add_option("kind", *kind, "run, campaign, calibration, confrontation or measured")->capture_default_str();
   command->footer("Example:\n  asperity schema run > run.schema.json");
   command->callback([=, &action] { action = [=] { return schema_command(*kind); }; });
 }

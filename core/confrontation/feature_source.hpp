@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,8 +34,8 @@ struct FeatureCost {
 /// Answers for features of runs: from a bank, from what the store has gathered, else by campaign.
 class FeatureSource {
  public:
-  /// Reads the bank and has its golden runs computed, once for each code and bank. Throws Error(config) where the bank
-  /// is damaged, or where this code gives other features than it holds; CalibrationInterrupted.
+  /// Reads the bank and has its golden runs computed, once for each code and bank; where this code gives other features
+  /// than they have, the bank does not count. Throws Error(config) where it is damaged; CalibrationInterrupted.
   FeatureSource(FeatureSourceOptions options, Simulator simulate);
 
   /// Features in the order of the runs. Throws CalibrationInterrupted; Error(tolerance) naming the run where one that
@@ -42,18 +44,31 @@ class FeatureSource {
 
   const FeatureCost& cost() const { return cost_; }
 
+  /// Why the bank does not count; empty where it does, or there is none.
+  const std::string& bank_refused() const { return bank_refused_; }
+
   /// Every run answered so far as a bank of its own, with golden runs computed for it. Throws CalibrationInterrupted,
   /// Error(unexpected) where a golden run fails.
   FeatureBank gathered(const std::vector<RunConfig>& golden);
 
  private:
-  void require_golden_runs(const std::string& bank_sha256);
-  void check(const std::string& stage, const std::vector<CampaignRun>& runs);
-  void compute(const std::string& stage, const std::vector<CampaignRun>& runs, std::vector<RunFeatures>& answers,
-               const std::vector<std::size_t>& missing);
+  /// A run that was asked for, and where its answer is from.
+  struct Request {
+    std::string key;
+    enum class From { bank, store, campaign } from = From::campaign;
+  };
+  std::string golden_fault();
+  std::vector<FeatureValues> golden_values(const std::vector<RunConfig>& configs);
+  std::vector<Request> look_up(const std::vector<CampaignRun>& runs) const;
+  void check(const std::string& stage, const std::vector<CampaignRun>& runs, const std::vector<Request>& requests);
+  std::map<std::string, RunFeatures> compute(const std::string& stage, const std::vector<CampaignRun>& runs,
+                                             const std::vector<Request>& requests);
+  RunFeatures take(const CampaignOutcome& outcome);
   FeatureSourceOptions options_;
   Simulator simulate_;
   FeatureBank shipped_, own_, answered_;
+  std::set<std::string> checked_;
+  std::string bank_refused_;
   FeatureCost cost_;
 };
 
