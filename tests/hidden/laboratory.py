@@ -30,7 +30,7 @@ TESTS = {t.id: t for t in (
     compression("U", 100),
     compression("S", 50),
     compression("T1", 100, 0.5),
-    compression("T3", 100, 2.0),
+    compression("T3", 100, 1.5),
     LabTest("B", "brazilian", {"diameter_mm": 50}, {"/experiment/diameter_mm": 50}),
     LabTest("J", "direct_shear", JOINT, {"/experiment/normal_stress_mpa": 1.47, "/joint/profile": JOINT["profile"], "/joint/end_gap_mm": 3.5}),
     compression("T2", 100, 1.0, "hold_out"),
