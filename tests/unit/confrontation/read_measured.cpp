@@ -186,6 +186,12 @@ TEST_CASE("a reload is no fault, counts of events that fall are, a triaxial stre
   check_one(faults_of(folder, document), "c.csv:2", "below the confining pressure");
 }
 
+TEST_CASE("a load cell's zero may lie a little below nothing") {
+  const Folder folder("zero");
+  folder.put("c.csv", triangle("axial_strain,axial_stress_mpa\n-0.0001,-0.03", 0.01));
+  CHECK(faults_of(folder, uniaxial("c.csv")).empty());
+}
+
 TEST_CASE("a bad key is one clear error at its pointer") {
   using Change = std::function<void(json&)>;
   struct Bad {

@@ -1,0 +1,100 @@
+"""How a verdict fares against what was hidden, and rates with their 95 % binomial intervals."""
+import math
+
+MOST_NAMES = 3  # a larger set says "cannot tell"
+# Each: whether it holds for a judged row; rates are shares of the rows for which `of` holds.
+RATES = {
+    "detected": ("detected", lambda r: True),
+    "truth in the set": ("in_set", lambda r: r["detected"]),
+    "one of two true causes": ("partly", lambda r: r["detected"]),
+    "wrong single name": ("wrong_single", lambda r: r["detected"]),
+    "wrong pair": ("wrong_pair", lambda r: r["detected"]),
+    "unexplained": ("unexplained", lambda r: r["detected"]),
+    "cannot tell": ("cannot_tell", lambda r: r["detected"]),
+}
+
+
+def true_names(truth):
+    """The hidden mechanisms; particles of another size are one that the library has."""
+    return {m[0] for m in truth["mechanisms"]} | ({"mesh_size"} if truth["edge_factor"] != 1.0 else set())
+
+
+def judge(truth, verdict):
+    """What of a verdict is right."""
+    status, causes = verdict["status"], set(verdict["causes"])
+    hidden, allowed = {m[0] for m in truth["mechanisms"]}, true_names(truth)
+    tells = status in ("named", "two_causes") or (status == "indistinguishable" and len(causes) <= MOST_NAMES)
+    return {
+        "status": status, "causes": sorted(causes), "detected": status != "nothing_found",
+        "in_set": bool(hidden) and tells and hidden <= causes,
+        "partly": bool(hidden & causes) and tells,
+        "wrong_single": status == "named" and not causes <= allowed,
+        "wrong_pair": status == "two_causes" and not causes & allowed,
+        "unexplained": status == "unexplained",
+        "cannot_tell": status == "indistinguishable" and len(causes) > MOST_NAMES,
+    }
+
+
+def binomial_tail(successes, trials, p):
+    """P(X >= successes)."""
+    return sum(math.comb(trials, k) * p**k * (1 - p) ** (trials - k) for k in range(successes, trials + 1))
+
+
+def bisected(rises, low=0.0, high=1.0):
+    """Where a predicate that turns true with p does so."""
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if rises(middle) else (middle, high)
+    return 0.5 * (low + high)
+
+
+def binomial_interval(successes, trials, level=0.95):
+    """The exact interval (Clopper & Pearson 1934) of a rate."""
+    if trials == 0:
+        return 0.0, 1.0
+    tail = 0.5 * (1 - level)
+    low = 0.0 if successes == 0 else bisected(lambda p: binomial_tail(successes, trials, p) >= tail)
+    high = 1.0 if successes == trials else bisected(lambda p: 1 - binomial_tail(successes + 1, trials, p) <= tail)
+    return low, high
+
+
+def rate(rows, key, of):
+    of_rows = [r for r in rows if of(r)]
+    hits = sum(r[key] for r in of_rows)
+    return {"count": hits, "of": len(of_rows), "interval_95": binomial_interval(hits, len(of_rows))}
+
+
+def rates(rows):
+    return {name: rate(rows, key, of) for name, (key, of) in RATES.items()}
+
+
+def rate_text(r):
+    low, high = r["interval_95"]
+    return f"{r['count']}/{r['of']} ({100 * low:.1f}-{100 * high:.1f} %)" if r["of"] else "-"
+
+
+def answer_of(row):
+    """A verdict as one word of a confusion matrix."""
+    if row["status"] == "named":
+        return row["causes"][0]
+    return "cannot_tell" if row["cannot_tell"] else row["status"]
+
+
+def confusion(rows):
+    """hidden case -> answer -> count; of a tie that holds the truth the answer is "tie_with_truth"."""
+    matrix = {}
+    for row in rows:
+        tie = row["status"] == "indistinguishable" and row["in_set"]
+        answers = matrix.setdefault(row["case"], {})
+        answer = "tie_with_truth" if tie else answer_of(row)
+        answers[answer] = answers.get(answer, 0) + 1
+    return matrix
+
+
+def gain_summary(rows):
+    """Change of expected log predictive density on the hold-out tests, of verdicts with an extension."""
+    changes = [r["gain"]["elpd_change"] for r in rows if r.get("gain")]
+    claimed = sum(r["gain"]["elpd_interval_90"][0] > 0 for r in rows if r.get("gain"))
+    if not changes:
+        return None
+    return {"verdicts": len(changes), "mean_elpd_change": sum(changes) / len(changes), "claimed": claimed}
