@@ -11,6 +11,7 @@
 #include "core/config/read_config.hpp"
 #include "core/confrontation/confrontation_task.hpp"
 #include "core/confrontation/feature_source.hpp"
+#include "core/confrontation/next_tests.hpp"
 #include "core/confrontation/virtual_test.hpp"
 #include "core/output/manifest.hpp"
 #include "core/output/run_folder.hpp"
@@ -63,6 +64,7 @@ void carry_through(const ConfrontCommandOptions& options, const ConfrontationCon
   const ConfrontationTask task = confrontation_task(config, features);
   const Confrontation confrontation = confront(task);
   VerdictContext context = verdict_context(config, task, confrontation);
+  context.next_tests = next_tests(config, task, confrontation);
   context.extended_config = write_extended_configs(config, confrontation, out);
   write_file_atomically(out / "verdict.json", verdict_json(confrontation, context).dump(2) + "\n");
   if (options.write_bank) write_bank(*options.write_bank, source.gathered(golden_runs(config)));

@@ -1,0 +1,169 @@
+#include "core/confrontation/next_tests.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/config/mechanism_declaration.hpp"
+#include "core/confrontation/test_designs.hpp"
+#include "core/confrontation/virtual_test.hpp"
+
+namespace asperity {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr std::size_t kMeshes = 4, kMostCauses = 3;
+constexpr double kSpecimens = 5;  // that a laboratory would make of one kind
+constexpr double kRightAngle = 90.0, kHalfTurn = 180.0;
+
+/// A design applied to one test, with what each cause predicts for it.
+struct SimulatedDesign {
+  const TestDesign* design = nullptr;
+  std::size_t parent = 0;            ///< Of Evidence::tests.
+  std::vector<Samples> predictions;  ///< By cause: meshes by slots.
+};
+
+/// The mechanisms of a cause in that test.
+std::vector<MechanismConfig> mechanisms_in(const TestDesign& design, const RunConfig& run, const Candidate& candidate,
+                                           double amplitude) {
+  if (candidate.id == design.switches_off || !can_act(run, candidate.id)) return {};
+  MechanismConfig m{candidate.id, amplitude, {}};
+  if (candidate.id == design.turns) {
+    const auto values = mechanism_values(*find_mechanism(candidate.id), m);
+    m.parameters["angle_deg"] = std::fmod(values.at("angle_deg") + kRightAngle, kHalfTurn);
+  }
+  return {m};
+}
+
+Samples simulate(const ConfrontationConfig& config, const ConfrontationTask& task, const Confrontation& c,
+                 const TestDesign& design, const RunConfig& run, std::size_t parent, const HypothesisFit& fit) {
+  const Candidate& candidate = c.evidence.candidates[static_cast<std::size_t>(fit.causes.front())];
+  const double amplitude = std::clamp(fit.amplitude(0), -candidate.most, candidate.most);
+  const std::vector<double> theta = theta_at(config, c.centre + fit.coded);
+  std::vector<CampaignRun> runs;
+  for (std::size_t mesh = 0; mesh < kMeshes; ++mesh) {
+    const std::uint64_t seed = task.plan.fresh_seed + mesh;
+    runs.push_back({design.id + " under " + candidate.id + ", mesh " + std::to_string(seed),
+                    configured(run, config.parameters, theta, mechanisms_in(design, run, candidate, amplitude), seed),
+                    0.0});
+  }
+  const TestEvidence& test = c.evidence.tests[parent];
+  const std::vector<RunFeatureValues> values = task.features("next tests: " + design.id, runs);
+  Samples samples(static_cast<Index>(kMeshes), static_cast<Index>(test.slots.size()));
+  for (std::size_t i = 0; i < kMeshes; ++i) samples.row(static_cast<Index>(i)) = slot_values(test, values[i]);
+  return samples;
+}
+
+/// Slots that every run of both causes gives.
+std::vector<Index> common_slots(const Samples& a, const Samples& b) {
+  std::vector<Index> slots;
+  for (Index s = 0; s < a.cols(); ++s) {
+    if (a.col(s).allFinite() && b.col(s).allFinite()) slots.push_back(s);
+  }
+  return slots;
+}
+
+/// Effects of the parameters on the parent's slots; zero where the parent was not fitted.
+MatrixXd parent_effects(const Confrontation& c, const TestEvidence& parent, const std::vector<Index>& slots) {
+  MatrixXd effects = MatrixXd::Zero(static_cast<Index>(slots.size()), c.fitted.jacobian.cols());
+  for (const ComparedTest& part : c.fitted.tests) {
+    if (part.test != &parent) continue;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      const auto found = std::find(part.columns.begin(), part.columns.end(), slots[i]);
+      if (found != part.columns.end())
+        effects.row(static_cast<Index>(i)) = c.fitted.jacobian.row(part.first + (found - part.columns.begin()));
+    }
+  }
+  return effects;
+}
+
+/// Variance of one specimen: what the runs scatter about their own cause's mean, not below the floors.
+VectorXd variances(const TestEvidence& test, const Samples& a, const Samples& b, const std::vector<Index>& slots) {
+  VectorXd v(static_cast<Index>(slots.size()));
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const Index s = slots[i];
+    const double squares =
+        (a.col(s).array() - a.col(s).mean()).square().sum() + (b.col(s).array() - b.col(s).mean()).square().sum();
+    const double floor = test.slots[static_cast<std::size_t>(s)].floor_sd;
+    v(static_cast<Index>(i)) = std::max(squares / (2.0 * (kMeshes - 1)), floor * floor);
+  }
+  return v;
+}
+
+/// D of Eq. (N18).
+double distance(const Confrontation& c, const SimulatedDesign& design, std::size_t k, std::size_t l) {
+  const TestEvidence& parent = c.evidence.tests[design.parent];
+  const Samples &a = design.predictions[k], &b = design.predictions[l];
+  const std::vector<Index> slots = common_slots(a, b);
+  if (slots.empty()) return 0.0;
+  VectorXd difference(static_cast<Index>(slots.size()));
+  for (std::size_t i = 0; i < slots.size(); ++i)
+    difference(static_cast<Index>(i)) = a.col(slots[i]).mean() - b.col(slots[i]).mean();
+  const MatrixXd effects = parent_effects(c, parent, slots);
+  const Index parameters = effects.cols();
+  MatrixXd covariance =
+      (1.0 / kSpecimens + 1.0 / kMeshes) * variances(parent, a, b, slots).asDiagonal().toDenseMatrix();
+  for (const std::size_t cause : {k, l}) {
+    const MatrixXd known = c.conclusion.kept[cause].covariance.topLeftCorner(parameters, parameters);
+    covariance += effects * known * effects.transpose();
+  }
+  return std::sqrt(difference.dot(covariance.llt().solve(difference)));
+}
+
+std::vector<SimulatedDesign> simulate_designs(const ConfrontationConfig& config, const ConfrontationTask& task,
+                                              const Confrontation& c, std::size_t causes) {
+  std::vector<RunConfig> made;
+  for (const MeasuredTest& test : config.measured.tests) made.push_back(virtual_test(config, test));
+  const auto concerns = [&](const std::string& id) {
+    return id.empty() || std::any_of(c.conclusion.kept.begin(), c.conclusion.kept.end(), [&](const HypothesisFit& f) {
+             return c.evidence.candidates[static_cast<std::size_t>(f.causes.front())].id == id;
+           });
+  };
+  std::vector<SimulatedDesign> simulated;
+  for (const TestDesign& design : test_designs()) {
+    if (!concerns(design.switches_off) && design.id != "constant_normal_stiffness") continue;
+    if (!concerns(design.turns)) continue;
+    for (std::size_t t = 0; t < made.size(); ++t) {
+      const std::optional<RunConfig> run = design.change(made[t], made);
+      if (!run) continue;
+      SimulatedDesign s{&design, t, {}};
+      for (std::size_t k = 0; k < causes; ++k)
+        s.predictions.push_back(simulate(config, task, c, design, *run, t, c.conclusion.kept[k]));
+      simulated.push_back(std::move(s));
+      break;
+    }
+  }
+  return simulated;
+}
+
+}  // namespace
+
+std::vector<NextTest> next_tests(const ConfrontationConfig& config, const ConfrontationTask& task,
+                                 const Confrontation& c) {
+  std::vector<NextTest> tests;
+  if (c.conclusion.status != VerdictStatus::indistinguishable) return tests;
+  const std::size_t causes = std::min(c.conclusion.kept.size(), kMostCauses);
+  const std::vector<SimulatedDesign> designs = simulate_designs(config, task, c, causes);
+  for (std::size_t k = 0; k < causes; ++k) {
+    for (std::size_t l = k + 1; l < causes; ++l) {
+      for (const SimulatedDesign& design : designs) {
+        const double d = distance(c, design, k, l);
+        const double probability = 0.5 * std::erfc(-0.5 * d / std::numbers::sqrt2);
+        tests.push_back({design.design->id,
+                         design.design->description,
+                         {causes_text(c, c.conclusion.kept[k]), causes_text(c, c.conclusion.kept[l])},
+                         d,
+                         probability});
+      }
+    }
+  }
+  std::stable_sort(tests.begin(), tests.end(),
+                   [](const NextTest& a, const NextTest& b) { return a.distance > b.distance; });
+  return tests;
+}
+
+}  // namespace asperity

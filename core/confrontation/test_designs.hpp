@@ -1,0 +1,24 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/config/run_config.hpp"
+
+namespace asperity {
+
+/// A further test that a laboratory could make, as a change of one it has made.
+struct TestDesign {
+  std::string id, description;
+  /// The changed run, or nothing where the change has no meaning for it or was made already.
+  std::function<std::optional<RunConfig>(const RunConfig& made, const std::vector<RunConfig>& all)> change;
+  std::string switches_off;  ///< A mechanism that the test rules out; empty: none.
+  std::string turns;         ///< A mechanism whose angle turns with the core; empty: none.
+};
+
+/// Those the method declares: lubricated platens, H/D 1 and 3, unload-reload, another rate, twice the confining
+/// pressure, a rotated core, a joint under constant normal stiffness, half the size.
+const std::vector<TestDesign>& test_designs();
+
+}  // namespace asperity
