@@ -93,8 +93,9 @@ def confusion(rows):
 
 def gain_summary(rows):
     """Change of expected log predictive density on the hold-out tests, of verdicts with an extension."""
-    changes = [r["gain"]["elpd_change"] for r in rows if r.get("gain")]
-    claimed = sum(r["gain"]["elpd_interval_90"][0] > 0 for r in rows if r.get("gain"))
+    gains = [r["gain"] for r in rows if r.get("gain") and r["gain"]["elpd_change"] is not None]
+    changes = [g["elpd_change"] for g in gains]
+    claimed = sum(g["elpd_interval_90"][0] > 0 for g in gains)
     if not changes:
         return None
     return {"verdicts": len(changes), "mean_elpd_change": sum(changes) / len(changes), "claimed": claimed}
