@@ -172,7 +172,7 @@ std::string key_hint(const json& schema, const std::string& parent, const std::s
   const json* node = schema_at(schema, parent);
   const std::string sibling = node ? closest(key, allowed_keys(*node)) : "";
   const std::string elsewhere = nearest_anywhere(schema, key);
-  if (elsewhere.empty()) return "";  // a near sibling would be found there too
+  if (elsewhere.empty()) return sibling.empty() ? "" : "did you mean " + sibling + "?";  // inside a list's entry
   const std::string name = pointer_tokens(elsewhere).back();
   const bool sibling_as_near = !sibling.empty() && typing_distance(key, sibling) <= typing_distance(key, name);
   return "did you mean " + (sibling_as_near ? sibling : elsewhere) + "?";

@@ -50,6 +50,7 @@ class FakeSimulator {
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "config.effective.json") << effective_json(config);
     std::ofstream curves(folder / "curves.csv");
+    curves.precision(17);
     curves << "platen_displacement_mm,load_n_per_mm,cracks_tension,cracks_shear\n";
     const double peak = peak_factor * (100.0 + static_cast<double>(config.particles.seed) / 7.0);
     for (int i = 0; i <= 40; ++i) {

@@ -60,10 +60,10 @@ TEST_CASE("a uniaxial test on a triaxial base, and a gauge that would not fit") 
 TEST_CASE("values for all tests lie over sizes, those for one test over all") {
   const ConfrontationFolder folder("laid over");
   json document = confrontation();
-  document["set"] = {{"/particles/edge_mm", 5}, {"/experiment/thickness_mm", 2}};
+  document["set"] = {{"/particles/edge_mm", 3.5}, {"/experiment/thickness_mm", 2}};
   document["tests"] = {{"B", {{"set", {{"/particles/edge_mm", 3}}}}}};
   const ConfrontationConfig config = folder.read(document);
-  CHECK(test_of(config, "U").particles.edge_mm == 5.0);
+  CHECK(test_of(config, "U").particles.edge_mm == 3.5);
   CHECK(test_of(config, "B").particles.edge_mm == 3.0);
   CHECK(test_of(config, "B").experiment.thickness_mm == 2.0);
 }
@@ -117,10 +117,10 @@ TEST_CASE("a parameter stays where it does not act; what leads out of range is t
   theta[0] = std::log(2.0);
   CHECK(configured(test_of(config, "U"), config.parameters, theta, {}, 1).contacts.cohesion_mpa == 1.3);
   CHECK(configured(test_of(config, "B"), config.parameters, theta, {}, 1).contacts.cohesion_mpa == 2.0);
-  theta[1] = 1e9;
+  theta[2] = 20.0;
   CHECK_THROWS_WITH(configured(test_of(config, "U"), config.parameters, theta, {}, 1),
-                    Catch::Contains("case_U: /contacts/friction_angle_deg"));
-  theta[1] = 0.6;
+                    Catch::Contains("case_U: /particles/youngs_modulus_gpa"));
+  theta[2] = std::log(4.0);
   CHECK_THROWS_WITH(configured(test_of(config, "U"), config.parameters, theta, {{"joint_wear", 0.5, {}}}, 1),
                     Catch::Contains("case_U: /mechanisms/0/type"));
 }
