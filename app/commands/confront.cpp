@@ -56,6 +56,8 @@ void carry_through(const ConfrontCommandOptions& options, const ConfrontationCon
     return outcomes;
   };
   FeatureSource source({options.session.store, config.bank, options.check_share, options.check_seed}, simulate);
+  if (!source.bank_refused().empty())
+    std::cerr << "the bank " << config.bank->string() << " does not count: " << source.bank_refused() << "\n";
   const FeaturesOf features = [&](const std::string& stage, const std::vector<CampaignRun>& runs) {
     std::vector<RunFeatureValues> values;
     for (RunFeatures& run : source.features(stage, runs)) values.push_back(std::move(run.values));
