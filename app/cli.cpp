@@ -211,6 +211,8 @@ void add_confront(CLI::App& cli, Action& action) {
       ->add_option("--check-bank", options->check_share,
                    "Share of the runs taken from the bank that is computed again; exit code 6 on a difference")
       ->check(CLI::Range(0.0, 1.0));
+  command->add_flag("--next-tests", options->next_tests,
+                    "Simulates further tests that would part several causes, also where linearise_at is reference");
   command->add_option("--check-seed", options->check_seed, "Which ones")->capture_default_str();
   add_campaign_options(*command, options->session);
   command->footer(

@@ -107,6 +107,7 @@ struct ConfrontCommandOptions {
   std::optional<std::filesystem::path> write_bank;
   double check_share = 0;  ///< Of the runs taken from the bank, computed again and compared.
   std::uint64_t check_seed = 1;
+  bool next_tests = false;  ///< Also about the reference, where they are the only runs at a cause's own parameters.
   CampaignSessionOptions session;
 };
 

@@ -66,7 +66,8 @@ void carry_through(const ConfrontCommandOptions& options, const ConfrontationCon
   const ConfrontationTask task = confrontation_task(config, features);
   const Confrontation confrontation = confront(task);
   VerdictContext context = verdict_context(config, task, confrontation);
-  context.next_tests = next_tests(config, task, confrontation);
+  if (options.next_tests || config.linearise_at == LineariseAt::calibrated)
+    context.next_tests = next_tests(config, task, confrontation);
   context.extended_config = write_extended_configs(config, confrontation, out);
   write_file_atomically(out / "verdict.json", verdict_json(confrontation, context).dump(2) + "\n");
   if (options.write_bank) write_bank(*options.write_bank, source.gathered(golden_runs(config)));
