@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "core/config/applicability.hpp"
 #include "core/config/enum_words.hpp"
@@ -93,12 +94,11 @@ void read_base(ConfrontationConfig& config, ExperimentType type, std::vector<Fau
   config.bases[type] = std::move(given.base);
 }
 
-/// What stands between a test and its simulation if nobody gives the size.
-void require_size(const MeasuredTest& test, const char* key, bool given, bool assumed, std::vector<Fault>& faults) {
-  if (given || assumed) return;
-  faults.push_back({std::string("/assumed/") + key,
-                    "is missing, and the measured test " + test.id + " does not give it", "",
-                    "the size of the specimen in mm", "add it to the measured file, or assume it here and say why"});
+/// Names of tests that lack a size, by its key.
+using MissingSizes = std::map<std::string, std::vector<std::string>>;
+
+void require_size(const MeasuredTest& test, const char* key, bool given, bool assumed, MissingSizes& missing) {
+  if (!given && !assumed) missing[key].push_back(test.id);
 }
 
 bool gives_its_size(const MeasuredTest& t) {
@@ -107,14 +107,14 @@ bool gives_its_size(const MeasuredTest& t) {
   return t.width_mm && t.height_mm;
 }
 
-void check_sizes(const MeasuredTest& test, const AssumedGeometry& assumed, std::vector<Fault>& faults) {
+void check_sizes(const MeasuredTest& test, const AssumedGeometry& assumed, MissingSizes& missing) {
   if (test.experiment == ExperimentType::brazilian) {
-    require_size(test, "diameter_mm", test.diameter_mm.has_value(), assumed.diameter_mm.has_value(), faults);
+    require_size(test, "diameter_mm", test.diameter_mm.has_value(), assumed.diameter_mm.has_value(), missing);
   } else if (test.experiment == ExperimentType::direct_shear) {
-    require_size(test, "profile", !test.profile.empty(), !assumed.profile.empty(), faults);
+    require_size(test, "profile", !test.profile.empty(), !assumed.profile.empty(), missing);
   } else {
-    require_size(test, "width_mm", test.width_mm.has_value(), assumed.width_mm.has_value(), faults);
-    require_size(test, "height_mm", test.height_mm.has_value(), assumed.height_mm.has_value(), faults);
+    require_size(test, "width_mm", test.width_mm.has_value(), assumed.width_mm.has_value(), missing);
+    require_size(test, "height_mm", test.height_mm.has_value(), assumed.height_mm.has_value(), missing);
   }
 }
 
@@ -163,9 +163,15 @@ void read_assumed(ConfrontationConfig& config, std::vector<Fault>& faults) {
   a.profile = teeth_of(section);
   a.why = section.value("why", "");
   bool used = false;
+  MissingSizes missing;
   for (const MeasuredTest& test : config.measured.tests) {
-    check_sizes(test, a, faults);
+    check_sizes(test, a, missing);
     used |= !gives_its_size(test);
+  }
+  for (const auto& [key, ids] : missing) {
+    faults.push_back({"/assumed/" + key, "is missing, and the measured file does not give it for " + list_text(ids), "",
+                      key == "profile" ? "the teeth of the joint" : "the size of the specimen in mm",
+                      "add it to the measured file, or assume it here and say why"});
   }
   if (used && !section.empty() && a.why.empty())
     faults.push_back(

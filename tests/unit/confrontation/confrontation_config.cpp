@@ -228,7 +228,7 @@ TEST_CASE("sets and sizes: pointers, tests, what is assumed without a word why")
   document["assumed"].erase("why");
   check_fault(folder.faults(document), "/assumed/why", "is missing");
   document["assumed"] = {{"width_mm", 50}, {"why", "usual"}};
-  check_fault(folder.faults(document), "/assumed/height_mm", "measured test U does not give it");
+  check_fault(folder.faults(document), "/assumed/height_mm", "does not give it for U");
 }
 
 TEST_CASE(
