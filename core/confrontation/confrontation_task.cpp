@@ -58,6 +58,12 @@ void take_measured(TestEvidence& evidence, const MeasuredTest& test) {
   }
 }
 
+/// A strength without a curve may be that of a specimen that flows, so a run's largest stress is read beside it.
+const FeatureKind* flow_strength(const MeasuredTest& test, const std::string& name) {
+  if (!test.curves.empty() || name != "peak_axial_stress_mpa") return nullptr;
+  return find_feature_kind(test.experiment, "largest_axial_stress_mpa");
+}
+
 TestEvidence test_evidence(const ConfrontationConfig& config, const MeasuredTest& test, const RunConfig& run) {
   TestEvidence evidence;
   evidence.id = test.id;
@@ -66,7 +72,8 @@ TestEvidence test_evidence(const ConfrontationConfig& config, const MeasuredTest
   evidence.scatter = test.scatter;
   for (const std::string& name : config.features.at(test.experiment)) {
     const FeatureRule& rule = *find_feature_rule(test.experiment, name);
-    evidence.slots.push_back({find_feature_kind(test.experiment, name), rule.logarithmic, floor_of(rule, run)});
+    evidence.slots.push_back({find_feature_kind(test.experiment, name), rule.logarithmic, floor_of(rule, run),
+                              flow_strength(test, name)});
   }
   take_measured(evidence, test);
   return evidence;

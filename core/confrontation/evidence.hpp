@@ -14,6 +14,7 @@ struct FeatureSlot {
   const FeatureKind* kind = nullptr;
   bool logarithmic = false;  ///< Samples hold the natural logarithm.
   double floor_sd = 0;       ///< Least scatter of one specimen that is believed, in the samples' unit.
+  const FeatureKind* simulated = nullptr;  ///< What is read of a run, where that is another kind; else `kind`.
 };
 
 /// Rows: specimens, or runs; columns: the slots of a test; NaN where there is no value.

@@ -79,7 +79,8 @@ Eigen::RowVectorXd slot_values(const TestEvidence& test, const RunFeatureValues&
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Constant(static_cast<Index>(test.slots.size()), kNone);
   const std::span<const FeatureKind> kinds = feature_kinds(test.experiment);
   for (std::size_t s = 0; s < test.slots.size(); ++s) {
-    const auto k = static_cast<std::size_t>(test.slots[s].kind - kinds.data());
+    const FeatureKind* read = test.slots[s].simulated ? test.slots[s].simulated : test.slots[s].kind;
+    const auto k = static_cast<std::size_t>(read - kinds.data());
     if (k >= features.size() || !features[k]) continue;
     const double value = *features[k];
     if (!test.slots[s].logarithmic) row(static_cast<Index>(s)) = value;

@@ -31,6 +31,7 @@ inline constexpr double kEventOnset = 0.1;  ///< Share of the events at the peak
 }  // namespace feature_limits
 
 // Peak: Eq. (F4).
+FeatureValue largest_load(const CurveShape& shape);
 FeatureValue peak_load(const CurveShape& shape);           ///< Total.
 FeatureValue peak_path(const CurveShape& shape);           ///< As recorded.
 FeatureValue peak_path_from_toe(const CurveShape& shape);  ///< Eq. (F6).

@@ -32,6 +32,11 @@ FeatureValue peak_load(const CurveShape& shape) {
   return {shape.peak + base_load(shape.reading), ""};
 }
 
+FeatureValue largest_load(const CurveShape& shape) {
+  if (shape.first.path.size() < kLeastRows || shape.peak <= 0.0) return absent("the curve has fewer than ten rows, or bears nothing");
+  return {shape.peak + base_load(shape.reading), ""};
+}
+
 FeatureValue peak_path(const CurveShape& shape) {
   const std::string why = no_peak(shape);
   if (!why.empty()) return {std::nullopt, why};
