@@ -57,7 +57,8 @@ void add_validate(CLI::App& cli, Action& action) {
       cli.add_subcommand("validate", "Makes every check of `run`, the mesh's included, and writes nothing");
   command
       ->add_option("config", *configs,
-                   "Configurations (JSON) of runs or, by their \"$schema\", of campaigns, calibrations, measured data")
+                   "Configurations (JSON) of runs or, by their \"$schema\", of campaigns, calibrations, "
+                   "confrontations, measured data")
       ->required();
   add_overrides(*command, *overrides);
   command->footer("Example:\n  asperity validate configs/paper/*.json");
@@ -67,7 +68,7 @@ void add_validate(CLI::App& cli, Action& action) {
 void add_schema(CLI::App& cli, Action& action) {
   auto kind = std::make_shared<std::string>("run");
   CLI::App* command = cli.add_subcommand("schema", "Prints the JSON Schema of a kind of configuration");
-  command->add_option("kind", *kind, "run, campaign, calibration or measured")->capture_default_str();
+  command->add_option("kind", *kind, "run, campaign, calibration, confrontation or measured")->capture_default_str();
   command->footer("Example:\n  asperity schema run > run.schema.json");
   command->callback([=, &action] { action = [=] { return schema_command(*kind); }; });
 }
@@ -194,6 +195,31 @@ void add_calibrate(CLI::App& cli, Action& action) {
   command->callback([=, &action] { action = [=] { return calibrate_command(*options); }; });
 }
 
+void add_confront(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<ConfrontCommandOptions>();
+  CLI::App* command = cli.add_subcommand(
+      "confront",
+      "Shows what the calibrated model gets wrong against measured tests, names the cause, extends the model and "
+      "measures the gain; goes on where it was ended");
+  command->add_option("config", options->config, "Confrontation (JSON)")->required();
+  add_overrides(*command, options->overrides);
+  command->add_option("--out", options->out,
+                      "Folder for verdict.json, report.html and configs; default outputs/<name>/");
+  command->add_option("--write-bank", options->write_bank,
+                      "File for the features of all runs, to be shipped as a bank");
+  command
+      ->add_option("--check-bank", options->check_share,
+                   "Share of the runs taken from the bank that is computed again; exit code 6 on a difference")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--check-seed", options->check_seed, "Which ones")->capture_default_str();
+  add_campaign_options(*command, options->session);
+  command->footer(
+      "Examples:\n  asperity confront configs/confrontation/zigong.json\n"
+      "  asperity confront configs/confrontation/laboratory.json --set /measured=my_tests.json --out outputs/mine\n"
+      "  asperity confront configs/confrontation/laboratory.json --check-bank 0.05");
+  command->callback([=, &action] { action = [=] { return confront_command(*options); }; });
+}
+
 void add_features(CLI::App& cli, Action& action) {
   auto options = std::make_shared<FeaturesOptions>();
   CLI::App* command = cli.add_subcommand(
@@ -264,9 +290,9 @@ int run_command_line(int argc, char** argv) {
       "data, "
       "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
   Action action;
-  for (const auto add :
-       {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_report, add_audit, add_campaign,
-        add_calibrate, add_features, add_mechanisms, add_gallery, add_acceleration, add_bench, add_info}) {
+  for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_report, add_audit,
+                         add_campaign, add_calibrate, add_confront, add_features, add_mechanisms, add_gallery,
+                         add_acceleration, add_bench, add_info}) {
     add(cli, action);
   }
   try {

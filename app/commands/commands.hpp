@@ -100,6 +100,18 @@ struct CalibrateCommandOptions {
 
 int calibrate_command(const CalibrateCommandOptions& options);
 
+struct ConfrontCommandOptions {
+  std::filesystem::path config;
+  std::vector<std::string> overrides;
+  std::optional<std::filesystem::path> out;  ///< Unset: outputs/<confrontation name>/.
+  std::optional<std::filesystem::path> write_bank;
+  double check_share = 0;  ///< Of the runs taken from the bank, computed again and compared.
+  std::uint64_t check_seed = 1;
+  CampaignSessionOptions session;
+};
+
+int confront_command(const ConfrontCommandOptions& options);
+
 struct FeaturesOptions {
   std::filesystem::path source;  ///< A measured file or a run folder.
   bool json = false;

@@ -12,6 +12,7 @@
 #include "core/campaign/campaign_config.hpp"
 #include "core/config/read_config.hpp"
 #include "core/config/schema.hpp"
+#include "core/confrontation/confrontation_config.hpp"
 #include "core/confrontation/read_measured.hpp"
 #include "core/experiment/model.hpp"
 #include "core/output/manifest.hpp"
@@ -47,6 +48,13 @@ void validate_measured(const std::filesystem::path& path, const std::vector<std:
   std::cout << path.string() << ": valid (" << data.tests.size() << " measured tests, " << specimens << " specimens)\n";
 }
 
+void validate_confrontation(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  const ConfrontationConfig config = read_confrontation(path, overrides);
+  std::cout << path.string() << ": valid (" << config.measured.tests.size() << " measured tests, "
+            << config.parameters.size() << " parameters, " << config.mechanisms.size() << " mechanisms"
+            << (config.split_proposed ? ", split proposed" : "") << ")\n";
+}
+
 void validate_run(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   const RunConfig config = read_run_config(path, overrides);
   read_measured_curves(config);
@@ -68,6 +76,8 @@ int validate_command(const std::vector<std::filesystem::path>& configs, const st
         validate_calibration(path, overrides);
       } else if (kind == "measured") {
         validate_measured(path, overrides);
+      } else if (kind == "confrontation") {
+        validate_confrontation(path, overrides);
       } else {
         validate_run(path, overrides);
       }

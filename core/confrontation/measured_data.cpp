@@ -14,6 +14,7 @@ CurveReading reading_of(const MeasuredTest& test) {
   constexpr double kShare = 0.01;
   CurveReading reading;
   reading.experiment = test.experiment;
+  reading.plane = test.plane;
   reading.path_is_gauge = path_is_gauge(test);
   reading.diameter_mm = test.diameter_mm;
   reading.confining_pressure_mpa = test.confining_pressure_mpa.value_or(0.0);

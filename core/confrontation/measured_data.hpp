@@ -50,6 +50,7 @@ struct MeasuredTest {
   std::optional<double> end_gap_mm;              ///< Direct shear: flat part behind the last tooth.
   std::optional<double> closing_rate_mm_per_s, shear_rate_mm_per_s;
   std::optional<double> axial_gauge_mm;  ///< Length of the gauge whose strain axial_strain (or gauge_axial_strain) is.
+  std::optional<PlaneCondition> plane;   ///< Compression: the specimen's; unset: free all round.
   std::optional<TestUse> use;            ///< Unset: the user leaves it to the split.
   ScatterSource scatter = ScatterSource::pooled;
   bool ends_before_peak = false;  ///< The specimen was not taken to its peak, so the curve's end is no fault.

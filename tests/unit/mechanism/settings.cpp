@@ -41,13 +41,17 @@ TEST_CASE("coulomb_peak: a peak at a right angle is refused with its name") {
   }
 }
 
-TEST_CASE("curved_envelope: the exponent of the contact's strength; 1 is the base law") {
+TEST_CASE("curved_envelope: the exponent of the contact's strength and the friction that is left; 1 is the base law") {
   const LawParameters law = law_with("curved_envelope");
   const double p = 5.0, y = 1.0 + p * kBase.tan_phi / (0.6 * kBase.c_c);
+  CHECK(law.tan_phi == Approx(0.3 * kBase.tan_phi).epsilon(1e-14));
+  CHECK(law.tan_phi_peak == Approx(kBase.tan_phi).epsilon(1e-14));
   CHECK(consistent_law::shear_strength(p, law) ==
-        Approx(std::max(kBase.c_c * std::pow(y, 0.6), p * kBase.tan_phi)).epsilon(1e-14));
+        Approx(std::max(kBase.c_c * std::pow(y, 0.6), 0.3 * p * kBase.tan_phi)).epsilon(1e-14));
   CHECK(consistent_law::shear_strength(p, law) < consistent_law::shear_strength(p, kBase));
-  CHECK(law_with("curved_envelope", {{"exponent", 1.0}}).envelope_exponent == 1.0);
+  const LawParameters off = law_with("curved_envelope", {{"exponent", 1.0}, {"friction_share", 1.0}});
+  CHECK(off.envelope_exponent == 1.0);
+  CHECK(consistent_law::shear_strength(p, off) == Approx(consistent_law::shear_strength(p, kBase)).epsilon(1e-14));
 }
 
 TEST_CASE("crack_closure: first stiffness and length of closing; a ratio of 1 is the base law") {

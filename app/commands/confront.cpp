@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <iostream>
+#include <set>
+
+#include "app/commands/commands.hpp"
+#include "app/exit_code.hpp"
+#include "app/interruption.hpp"
+#include "core/base/atomic_file.hpp"
+#include "core/base/log.hpp"
+#include "core/base/output_error.hpp"
+#include "core/config/read_config.hpp"
+#include "core/confrontation/confrontation_task.hpp"
+#include "core/confrontation/feature_source.hpp"
+#include "core/confrontation/virtual_test.hpp"
+#include "core/output/manifest.hpp"
+#include "core/output/run_folder.hpp"
+
+namespace asperity::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void make_folder(const fs::path& folder, const fs::path& config) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw output_error(folder, "cannot be created", error.value());
+  write_file_atomically(folder / "config.original.json", read_config_text(config));
+}
+
+/// One run of each kind of test, at the configuration's own parameters: what a bank is known by.
+std::vector<RunConfig> golden_runs(const ConfrontationConfig& config) {
+  std::vector<RunConfig> runs;
+  std::set<ExperimentType> seen;
+  for (const MeasuredTest& test : config.measured.tests) {
+    if (!seen.insert(test.experiment).second) continue;
+    runs.push_back(configured(virtual_test(config, test), config.parameters, reference_theta(config.parameters), {},
+                              config.meshes.first_seed));
+  }
+  return runs;
+}
+
+void print_verdict(const Confrontation& confrontation, const FeatureCost& cost) {
+  std::cout << "status " << word(confrontation.conclusion.status);
+  for (const std::string& cause : verdict_causes(confrontation)) std::cout << " " << cause;
+  std::cout << "\n"
+            << cost.runs << " runs: " << cost.from_bank << " from the bank, " << cost.from_store << " from the store, "
+            << cost.computed << " computed, " << cost.failed << " failed, " << cost.checked << " checked\n";
+}
+
+void carry_through(const ConfrontCommandOptions& options, const ConfrontationConfig& config, const fs::path& out) {
+  const Simulator simulate = [&](const std::string& stage, const std::vector<CampaignRun>& runs) {
+    std::vector<CampaignOutcome> outcomes =
+        compute_campaign(config.name + ": " + stage, runs, config.slurm, options.session);
+    tell_failures(outcomes);
+    return outcomes;
+  };
+  FeatureSource source({options.session.store, config.bank, options.check_share, options.check_seed}, simulate);
+  const FeaturesOf features = [&](const std::string& stage, const std::vector<CampaignRun>& runs) {
+    std::vector<RunFeatureValues> values;
+    for (RunFeatures& run : source.features(stage, runs)) values.push_back(std::move(run.values));
+    return values;
+  };
+  const ConfrontationTask task = confrontation_task(config, features);
+  const Confrontation confrontation = confront(task);
+  VerdictContext context = verdict_context(config, task, confrontation);
+  context.extended_config = write_extended_configs(config, confrontation, out);
+  write_file_atomically(out / "verdict.json", verdict_json(confrontation, context).dump(2) + "\n");
+  if (options.write_bank) write_bank(*options.write_bank, source.gathered(golden_runs(config)));
+  print_verdict(confrontation, source.cost());
+}
+
+}  // namespace
+
+int confront_command(const ConfrontCommandOptions& options) {
+  install_interruption_handlers();
+  if (options.session.quiet) set_log_echo(LogEcho::errors);
+  const ConfrontationConfig config = read_confrontation(options.config, options.overrides);
+  const fs::path out = options.out.value_or(default_run_folder(config.name));
+  make_folder(out, options.config);
+  Manifest manifest = started_manifest();
+  manifest.config_name = config.name;
+  write_manifest(out / "manifest.json", manifest);
+  try {
+    carry_through(options, config, out);
+  } catch (const CalibrationInterrupted&) {
+    end_manifest(manifest, Outcome::interrupted, "interrupted; the same command goes on from the runs in the store");
+    write_manifest(out / "manifest.json", manifest);
+    std::cerr << "interrupted; the same command goes on from there\n";
+    return kExitInterrupted;
+  }
+  end_manifest(manifest, Outcome::finished, "confronted");
+  write_manifest(out / "manifest.json", manifest);
+  std::cout << out.string() << std::endl;
+  return kExitDone;
+}
+
+}  // namespace asperity::app

@@ -1,0 +1,47 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "core/confrontation/evidence.hpp"
+
+namespace asperity {
+
+/// One test's part of a comparison: the slots [first, first + columns.size()).
+struct ComparedTest {
+  const TestEvidence* test = nullptr;
+  std::vector<Eigen::Index> columns;  ///< Of the test's slots: those that are compared.
+  Eigen::Index first = 0;
+  Eigen::MatrixXd meshes;  ///< Runs of the base by slots, each column's mean taken off, with the spread of the runs.
+};
+
+/// A slot that is not compared, and why.
+struct DroppedSlot {
+  std::string test, feature, why;
+};
+
+/// Measured and simulated features side by side: vectors over all compared slots, test after test.
+struct Comparison {
+  std::vector<ComparedTest> tests;
+  std::vector<DroppedSlot> dropped;
+  std::vector<const FeatureSlot*> slots;
+  std::vector<int> group;       ///< Slots of one kind of feature have one number.
+  Eigen::VectorXd data, model;  ///< Means over specimens and over meshes.
+  Eigen::VectorXd specimens;    ///< Number of measured values.
+  Eigen::VectorXd meshes;       ///< Number of runs behind the model's mean.
+  Eigen::VectorXd instrument_sd;
+  Eigen::MatrixXd jacobian;     ///< By coded parameter, central differences; Eq. (N7).
+  Eigen::MatrixXd curvature;    ///< By coded parameter, second differences that stand out of their error, else 0.
+  Eigen::MatrixXd fingerprint;  ///< By candidate, a unit of amplitude; Eq. (N8).
+  std::vector<Eigen::MatrixXd> jacobian_rows;     ///< By parameter: common meshes by slots, less their mean.
+  std::vector<Eigen::MatrixXd> fingerprint_rows;  ///< By candidate, likewise.
+};
+
+/// Compares the tests of one use. A slot is left out where fewer than half of the specimens, or three quarters of the
+/// base's runs, or half of a parameter's runs give a value, or where nothing scatters.
+Comparison compare(const Evidence& evidence, TestUse use);
+
+/// The model's mean at coded parameters: reference + J d + curvature d^2 / 2.
+Eigen::VectorXd model_at(const Comparison& comparison, const Eigen::VectorXd& coded);
+
+}  // namespace asperity

@@ -1,0 +1,139 @@
+#include "core/confrontation/confront.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/confrontation/extension_runs.hpp"
+
+namespace asperity {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kSmallMove = 0.25;    // steps of a parameter within which effects stand still
+constexpr std::size_t kWorthMore = 8;  // candidates at least that get all meshes
+constexpr std::size_t kDecoys = 2;
+
+/// Parameters about a new centre.
+void shift_limits(std::vector<CalibratedParameter>& parameters, const VectorXd& move) {
+  for (Index p = 0; p < move.size(); ++p) {
+    parameters[static_cast<std::size_t>(p)].lower -= move(p);
+    parameters[static_cast<std::size_t>(p)].upper -= move(p);
+  }
+}
+
+void compare_fitted(Confrontation& state, const NamingOptions& options) {
+  state.fitted = compare(state.evidence, TestUse::fit);
+  state.scatter = scatter_of(state.fitted, options.draws.noise);
+  state.base = calibrate_base(state.fitted, state.scatter.covariance, state.evidence.parameters);
+}
+
+/// Gauss-Newton with real runs: the centre moves to the calibrated parameters.
+void calibrate_by_runs(const ConfrontationTask& task, Confrontation& state) {
+  EvidencePlan plan = task.plan;
+  plan.noise = task.common;
+  plan.parameters = task.screen;
+  std::fill(plan.candidate_meshes.begin(), plan.candidate_meshes.end(), 0);
+  for (int step = 0; step < task.most_steps; ++step) {
+    simulate_evidence(state.evidence, plan, state.centre, "calibration, step " + std::to_string(step + 1),
+                      task.configure, task.features);
+    compare_fitted(state, task.options);
+    state.centre += state.base.coded;
+    shift_limits(state.evidence.parameters, state.base.coded);
+    if (state.base.coded.cwiseAbs().maxCoeff() < kSmallMove) return;
+  }
+}
+
+/// After a screening on few meshes: the candidates that explain most get all of them.
+std::vector<std::size_t> worthwhile_meshes(const ConfrontationTask& task, const Gate& gate) {
+  NamingOptions options = task.options;
+  options.most = kWorthMore;
+  std::vector<std::size_t> meshes(task.evidence.candidates.size(), task.screen);
+  for (const Index k : refit_candidates(gate, options)) meshes[static_cast<std::size_t>(k)] = task.common;
+  return meshes;
+}
+
+void simulate_effects(const ConfrontationTask& task, Confrontation& state) {
+  EvidencePlan plan = task.plan;
+  const bool screened = task.linearised_at == LinearisedAt::calibrated && task.screen < task.common;
+  plan.candidate_meshes.assign(state.evidence.candidates.size(), screened ? task.screen : task.common);
+  simulate_evidence(state.evidence, plan, state.centre, "effects", task.configure, task.features);
+  compare_fitted(state, task.options);
+  if (!screened) return;
+  const WhitenedFrame frame(state.scatter.covariance, state.base.jacobian);
+  Gate first;
+  first.pattern = pattern_of(frame, state.base.difference, state.fitted.fingerprint, state.evidence.candidates);
+  plan.candidate_meshes = worthwhile_meshes(task, first);
+  simulate_evidence(state.evidence, plan, state.centre, "effects of likely causes", task.configure, task.features);
+  compare_fitted(state, task.options);
+}
+
+ExtensionGain extension_gain(const ConfrontationTask& task, const Confrontation& state, const HypothesisFit& fit) {
+  ExtensionGain extension{fit, std::nullopt};
+  if (state.kept_back.data.size() == 0) return extension;
+  const FeaturePrediction base = predict_base(state.kept_back, state.kept_back_scatter, state.base);
+  FeaturePrediction with = predict_extension(state.kept_back, state.kept_back_scatter, fit);
+  if (task.linearised_at == LinearisedAt::calibrated) with.mean = extension_mean(task, state, fit);
+  extension.gain = measure_gain(state.kept_back, state.kept_back_scatter, base, with, task.options.draws);
+  return extension;
+}
+
+bool among(const std::vector<HypothesisFit>& fits, Index cause) {
+  return std::any_of(fits.begin(), fits.end(), [&](const HypothesisFit& fit) {
+    return std::find(fit.causes.begin(), fit.causes.end(), cause) != fit.causes.end();
+  });
+}
+
+/// The candidates that would have been the next to be believed, best first: refitted ones, then by what they explain.
+std::vector<Index> decoy_candidates(const Confrontation& state, const NamingOptions& options) {
+  std::vector<Index> order, decoys;
+  for (const HypothesisFit& fit : state.conclusion.singles) order.push_back(fit.causes.front());
+  NamingOptions all = options;
+  all.near = std::numeric_limits<double>::max();
+  all.most = state.evidence.candidates.size();
+  for (const Index k : refit_candidates(state.gate, all)) {
+    if (!among(state.conclusion.singles, k)) order.push_back(k);
+  }
+  for (const Index k : order) {
+    if (decoys.size() < kDecoys && !among(state.conclusion.kept, k)) decoys.push_back(k);
+  }
+  return decoys;
+}
+
+void measure_gains(const ConfrontationTask& task, Confrontation& state, const HypothesisMaker& make) {
+  if (state.conclusion.kept.empty()) return;
+  state.kept_back = compare(state.evidence, TestUse::hold_out);
+  if (state.kept_back.data.size() > 0) state.kept_back_scatter = scatter_of(state.kept_back, task.options.draws.noise);
+  for (const HypothesisFit& fit : state.conclusion.kept) state.extensions.push_back(extension_gain(task, state, fit));
+  for (const Index k : decoy_candidates(state, task.options)) {
+    const HypothesisFit fit = fit_hypothesis(state.scatter.covariance, state.evidence.candidates, make({{k}}).front());
+    state.decoys.push_back(extension_gain(task, state, fit));
+  }
+}
+
+}  // namespace
+
+Confrontation confront(ConfrontationTask task) {
+  Confrontation state;
+  state.evidence = task.evidence;
+  state.centre = VectorXd::Zero(static_cast<Index>(task.evidence.parameters.size()));
+  const bool by_runs = task.linearised_at == LinearisedAt::calibrated;
+  if (by_runs && !state.evidence.parameters.empty()) calibrate_by_runs(task, state);
+  simulate_effects(task, state);
+  state.gate = gate(state.fitted, state.scatter, state.base, state.evidence.candidates, task.options.draws);
+  const HypothesisMaker make = [&](const std::vector<std::vector<Index>>& lists) {
+    if (by_runs) return hypotheses_by_runs(task, state, lists);
+    std::vector<Hypothesis> hypotheses;
+    for (const std::vector<Index>& causes : lists)
+      hypotheses.push_back(linear_hypothesis(state.fitted, state.base, causes));
+    return hypotheses;
+  };
+  state.conclusion =
+      conclude(state.fitted, state.scatter, state.base, state.gate, state.evidence.candidates, make, task.options);
+  state.residuals = feature_residuals(state.fitted, state.scatter, state.base, state.evidence.parameters);
+  measure_gains(task, state, make);
+  return state;
+}
+
+}  // namespace asperity

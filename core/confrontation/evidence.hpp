@@ -1,0 +1,58 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "core/confrontation/measured_data.hpp"
+#include "core/measurement/features.hpp"
+
+/// What a confrontation reasons from: features of measured specimens and of simulated runs, test by test.
+namespace asperity {
+
+/// One feature of one test, as it is compared.
+struct FeatureSlot {
+  const FeatureKind* kind = nullptr;
+  bool logarithmic = false;  ///< Samples hold the natural logarithm.
+  double floor_sd = 0;       ///< Least scatter of one specimen that is believed, in the samples' unit.
+};
+
+/// Rows: specimens, or runs; columns: the slots of a test; NaN where there is no value.
+using Samples = Eigen::MatrixXd;
+
+/// One test with everything that was measured and simulated of it. Runs "on common meshes" share their rows' meshes
+/// with the first rows of `base`; a list's entry with no row says that nothing can change here, exactly.
+struct TestEvidence {
+  std::string id;
+  ExperimentType experiment = ExperimentType::uniaxial;
+  TestUse use = TestUse::fit;
+  ScatterSource scatter = ScatterSource::pooled;
+  std::vector<FeatureSlot> slots;
+  Samples measured;
+  Eigen::VectorXd instrument_sd;   ///< Errors all specimens share, slot by slot, in the samples' unit.
+  Samples base;                    ///< The base model at the parameters' reference.
+  std::vector<Samples> low, high;  ///< By parameter, on common meshes, one step below and above.
+  std::vector<Samples> mechanism;  ///< By candidate, on common meshes, at the candidate's amplitude.
+};
+
+/// A microparameter that calibration may move, in coded units of its step.
+struct CalibratedParameter {
+  std::string name;
+  double lower = -3.0, upper = 3.0;  ///< What is believed of it, coded.
+};
+
+/// A mechanism that may be the cause.
+struct Candidate {
+  std::string id;
+  double amplitude = 0.6;  ///< Of its runs.
+  bool two_sided = false;  ///< A setting that may be off either way.
+  bool suspect = false;    ///< A setting of the solver, no rock.
+  double most = 3.0;       ///< Largest amplitude that its parameters' ranges allow.
+};
+
+struct Evidence {
+  std::vector<CalibratedParameter> parameters;
+  std::vector<Candidate> candidates;
+  std::vector<TestEvidence> tests;
+};
+
+}  // namespace asperity

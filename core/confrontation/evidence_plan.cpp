@@ -1,0 +1,117 @@
+#include "core/confrontation/evidence_plan.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Where a run's features go.
+struct Place {
+  Samples* samples = nullptr;
+  Index row = 0;
+  std::size_t test = 0;
+};
+
+struct PlannedRuns {
+  std::vector<CampaignRun> runs;
+  std::vector<Place> places;
+};
+
+std::string label_of(const TestEvidence& test, const std::string& what, std::uint64_t seed) {
+  return test.id + ", " + what + ", mesh " + std::to_string(seed);
+}
+
+Samples no_rows(const TestEvidence& test) { return Samples(0, static_cast<Index>(test.slots.size())); }
+
+void add_rows(PlannedRuns& planned, Evidence& evidence, const EvidencePlan& plan, VirtualSpecimen specimen,
+              std::size_t rows, const std::string& what, Samples& samples, const ConfigureRun& configure) {
+  const TestEvidence& test = evidence.tests[specimen.test];
+  samples = Samples::Constant(static_cast<Index>(rows), static_cast<Index>(test.slots.size()),
+                              std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t row = 0; row < rows; ++row) {
+    specimen.seed = mesh_seed(plan, test, row);
+    planned.runs.push_back({label_of(test, what, specimen.seed), configure(specimen), 0.0});
+    planned.places.push_back({&samples, static_cast<Index>(row), specimen.test});
+  }
+}
+
+void plan_parameters(PlannedRuns& planned, Evidence& evidence, const EvidencePlan& plan, std::size_t t,
+                     const VectorXd& centre, const ConfigureRun& configure) {
+  TestEvidence& test = evidence.tests[t];
+  test.low.assign(evidence.parameters.size(), no_rows(test));
+  test.high.assign(evidence.parameters.size(), no_rows(test));
+  for (std::size_t p = 0; p < evidence.parameters.size(); ++p) {
+    if (!plan.parameter_acts[t][p]) continue;
+    for (const double side : {-1.0, 1.0}) {
+      VectorXd coded = centre;
+      coded(static_cast<Index>(p)) += side;
+      add_rows(planned, evidence, plan, {t, coded, {}, 0}, plan.parameters,
+               evidence.parameters[p].name + (side < 0.0 ? " low" : " high"), side < 0.0 ? test.low[p] : test.high[p],
+               configure);
+    }
+  }
+}
+
+void plan_candidates(PlannedRuns& planned, Evidence& evidence, const EvidencePlan& plan, std::size_t t,
+                     const VectorXd& centre, const ConfigureRun& configure) {
+  TestEvidence& test = evidence.tests[t];
+  test.mechanism.assign(evidence.candidates.size(), no_rows(test));
+  for (std::size_t k = 0; k < evidence.candidates.size(); ++k) {
+    if (!plan.candidate_acts[t][k] || plan.candidate_meshes[k] == 0) continue;
+    const Candidate& c = evidence.candidates[k];
+    add_rows(planned, evidence, plan, {t, centre, {{c.id, c.amplitude}}, 0}, plan.candidate_meshes[k], c.id,
+             test.mechanism[k], configure);
+  }
+}
+
+}  // namespace
+
+std::uint64_t mesh_seed(const EvidencePlan& plan, const TestEvidence& test, std::size_t row) {
+  return (test.use == TestUse::fit ? plan.first_seed : plan.fresh_seed) + row;
+}
+
+Eigen::RowVectorXd slot_values(const TestEvidence& test, const RunFeatureValues& features) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  Eigen::RowVectorXd row = Eigen::RowVectorXd::Constant(static_cast<Index>(test.slots.size()), kNone);
+  const std::span<const FeatureKind> kinds = feature_kinds(test.experiment);
+  for (std::size_t s = 0; s < test.slots.size(); ++s) {
+    const auto k = static_cast<std::size_t>(test.slots[s].kind - kinds.data());
+    if (k >= features.size() || !features[k]) continue;
+    const double value = *features[k];
+    if (!test.slots[s].logarithmic) row(static_cast<Index>(s)) = value;
+    if (test.slots[s].logarithmic && value > 0.0) row(static_cast<Index>(s)) = std::log(value);
+  }
+  return row;
+}
+
+void simulate_evidence(Evidence& evidence, const EvidencePlan& plan, const VectorXd& centre, const std::string& stage,
+                       const ConfigureRun& configure, const FeaturesOf& features) {
+  PlannedRuns planned;
+  for (std::size_t t = 0; t < evidence.tests.size(); ++t) {
+    add_rows(planned, evidence, plan, {t, centre, {}, 0}, plan.noise, "base", evidence.tests[t].base, configure);
+    if (!plan.effects) continue;
+    plan_parameters(planned, evidence, plan, t, centre, configure);
+    plan_candidates(planned, evidence, plan, t, centre, configure);
+  }
+  const std::vector<RunFeatureValues> values = features(stage, planned.runs);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Place& place = planned.places[i];
+    place.samples->row(place.row) = slot_values(evidence.tests[place.test], values[i]);
+  }
+}
+
+Samples simulate_specimens(const TestEvidence& test, const std::vector<VirtualSpecimen>& specimens,
+                           const std::string& stage, const ConfigureRun& configure, const FeaturesOf& features) {
+  std::vector<CampaignRun> runs;
+  for (const VirtualSpecimen& s : specimens) runs.push_back({label_of(test, stage, s.seed), configure(s), 0.0});
+  const std::vector<RunFeatureValues> values = features(stage, runs);
+  Samples samples(static_cast<Index>(specimens.size()), static_cast<Index>(test.slots.size()));
+  for (std::size_t i = 0; i < values.size(); ++i) samples.row(static_cast<Index>(i)) = slot_values(test, values[i]);
+  return samples;
+}
+
+}  // namespace asperity

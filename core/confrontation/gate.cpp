@@ -1,0 +1,96 @@
+#include "core/confrontation/gate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <openturns/Gamma.hxx>
+
+namespace asperity {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kDetectable = 17.0;  // Lambda at which a single cause passes the gate nearly always
+
+/// |P L^-1 g|^2 less what its own error adds to it in the mean.
+double true_square(const WhitenedFrame& frame, const VectorXd& fingerprint, const MatrixXd& rows) {
+  double square = frame.project(fingerprint).squaredNorm();
+  const double n = static_cast<double>(rows.rows());
+  if (rows.rows() < 2) return square;
+  return square - frame.project(rows.transpose()).squaredNorm() / (n * (n - 1.0));
+}
+
+void describe_candidates(const Comparison& comparison, const WhitenedFrame& frame, Gate& gate) {
+  const Index count = comparison.fingerprint.cols();
+  gate.hidden_share = gate.detectable = VectorXd::Zero(count);
+  for (Index k = 0; k < count; ++k) {
+    const VectorXd g = comparison.fingerprint.col(k);
+    const double whole = frame.whiten(g).squaredNorm();
+    gate.hidden_share(k) = whole > 0.0 ? 1.0 - frame.project(g).squaredNorm() / whole : 1.0;
+    const double square = true_square(frame, g, comparison.fingerprint_rows[static_cast<std::size_t>(k)]);
+    gate.detectable(k) = square > 0.0 ? std::sqrt(kDetectable / square) : std::numeric_limits<double>::infinity();
+  }
+}
+
+}  // namespace
+
+Pattern pattern_of(const WhitenedFrame& frame, const VectorXd& difference, const MatrixXd& fingerprint,
+                   const std::vector<Candidate>& candidates) {
+  const VectorXd residual = frame.project(difference);
+  const MatrixXd columns = frame.project(fingerprint);
+  Pattern pattern{residual.squaredNorm(), VectorXd::Zero(fingerprint.cols())};
+  for (Index k = 0; k < columns.cols(); ++k) {
+    const double square = columns.col(k).squaredNorm(), along = columns.col(k).dot(residual);
+    if (square <= 0.0 || (along < 0.0 && !candidates[static_cast<std::size_t>(k)].two_sided)) continue;
+    pattern.explained(k) = along * along / square;
+  }
+  return pattern;
+}
+
+VectorXd drawn_parameter_error(const Comparison& comparison, const BaseFit& fit, RandomStream& random) {
+  VectorXd error = VectorXd::Zero(comparison.data.size());
+  for (std::size_t p = 0; p < comparison.jacobian_rows.size(); ++p)
+    error += fit.coded(static_cast<Index>(p)) * drawn_error(comparison, comparison.jacobian_rows[p], random);
+  return error;
+}
+
+double share_above(const std::vector<double>& draws, double value) {
+  const auto above = std::count_if(draws.begin(), draws.end(), [&](double d) { return d >= value; });
+  return static_cast<double>(above + 1) / static_cast<double>(draws.size() + 1);
+}
+
+double gamma_tail(const std::vector<double>& sample, double value) {
+  double mean = 0.0, square = 0.0;
+  for (const double s : sample) mean += s / static_cast<double>(sample.size());
+  for (const double s : sample) square += (s - mean) * (s - mean) / static_cast<double>(sample.size() - 1);
+  if (square <= 0.0) return value > mean ? 0.0 : 1.0;
+  return OT::Gamma(mean * mean / square, mean / square).computeComplementaryCDF(value);
+}
+
+Gate gate(const Comparison& comparison, const Scatter& scatter, const BaseFit& fit,
+          const std::vector<Candidate>& candidates, const GateOptions& options) {
+  const WhitenedFrame frame(scatter.covariance, fit.jacobian);
+  Gate gate;
+  gate.pattern = pattern_of(frame, fit.difference, comparison.fingerprint, candidates);
+  describe_candidates(comparison, frame, gate);
+  RandomStream random(options.seed, "confrontation gate");
+  std::vector<double> misfits, explained;
+  for (int d = 0; d < options.draws; ++d) {
+    const Repetition again = repeat(comparison, scatter, options.noise, random);
+    const VectorXd difference = again.difference + drawn_parameter_error(comparison, fit, random);
+    const Pattern drawn =
+        pattern_of(WhitenedFrame(again.covariance, fit.jacobian), difference, comparison.fingerprint, candidates);
+    misfits.push_back(drawn.misfit);
+    explained.push_back(drawn.explained.size() > 0 ? drawn.explained.maxCoeff() : 0.0);
+  }
+  const double most = gate.pattern.explained.size() > 0 ? gate.pattern.explained.maxCoeff() : 0.0;
+  gate.p_explained = share_above(explained, most);
+  gate.p_misfit = gamma_tail(misfits, gate.pattern.misfit);
+  gate.p_too_good = 1.0 - share_above(misfits, gate.pattern.misfit);
+  gate.discrepancy = gate.p_explained < options.explained_level || gate.p_misfit < options.misfit_level;
+  return gate;
+}
+
+}  // namespace asperity

@@ -1,0 +1,183 @@
+#include "core/confrontation/naming.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace asperity {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+VectorXd least_change(const std::vector<Candidate>& candidates, const Hypothesis& h) {
+  VectorXd least(h.amplitude.size());
+  for (Index i = 0; i < least.size(); ++i) {
+    const bool two_sided = candidates[static_cast<std::size_t>(h.causes[static_cast<std::size_t>(i)])].two_sided;
+    least(i) = two_sided ? -std::numeric_limits<double>::max() : -h.amplitude(i);
+  }
+  return least;
+}
+
+AmplitudeFit refit(const WhitenedFrame& frame, const VectorXd& difference, const Hypothesis& h, const VectorXd& least) {
+  return fit_amplitudes(frame.project(difference), frame.project(h.directions), least);
+}
+
+MatrixXd beside(const MatrixXd& a, const MatrixXd& b) {
+  MatrixXd both(a.rows(), a.cols() + b.cols());
+  both << a, b;
+  return both;
+}
+
+/// Noise of one repetition with the errors of the parameters' and the causes' effects.
+struct DrawnNoise {
+  VectorXd error;
+  MatrixXd covariance;
+};
+
+DrawnNoise drawn_noise(const Comparison& comparison, const Scatter& scatter, const BaseFit& base,
+                       const HypothesisFit& fit, const NoiseOptions& options, RandomStream& random) {
+  Repetition again = repeat(comparison, scatter, options, random);
+  VectorXd error = again.difference + drawn_parameter_error(comparison, base, random);
+  for (std::size_t i = 0; i < fit.causes.size(); ++i) {
+    const MatrixXd& rows = comparison.fingerprint_rows[static_cast<std::size_t>(fit.causes[i])];
+    error += fit.amplitude(static_cast<Index>(i)) * drawn_error(comparison, rows, random);
+  }
+  return {std::move(error), std::move(again.covariance)};
+}
+
+std::string stream_name(const std::vector<Index>& causes, const std::vector<Candidate>& candidates) {
+  std::string name = "confrontation";
+  for (const Index c : causes) name += " " + candidates[static_cast<std::size_t>(c)].id;
+  return name;
+}
+
+/// Draws under hypothesis `k`: how well it then fits, and how far behind the best of all it then lies.
+void judge_one(const Comparison& comparison, const Scatter& scatter, const BaseFit& base,
+               const std::vector<Candidate>& candidates, const std::vector<Hypothesis>& hypotheses,
+               const NamingOptions& options, std::size_t k, HypothesisFit& fit) {
+  RandomStream random(options.draws.seed, stream_name(fit.causes, candidates));
+  std::vector<double> misfits, excesses;
+  for (int d = 0; d < options.draws.draws; ++d) {
+    const DrawnNoise noise = drawn_noise(comparison, scatter, base, fit, options.draws.noise, random);
+    double own = 0.0, best = std::numeric_limits<double>::max();
+    for (std::size_t j = 0; j < hypotheses.size(); ++j) {
+      const Hypothesis& h = hypotheses[j];
+      const VectorXd difference = h.difference - fit.residual + noise.error;
+      const WhitenedFrame frame(noise.covariance, h.jacobian);
+      const double misfit = refit(frame, difference, h, least_change(candidates, h)).misfit;
+      best = std::min(best, misfit);
+      if (j == k) own = misfit;
+    }
+    misfits.push_back(own);
+    excesses.push_back(own - best);
+  }
+  fit.p_misfit = share_above(misfits, fit.misfit);
+  fit.p_excess = share_above(excesses, fit.excess);
+  fit.kept = fit.p_misfit >= options.level && fit.p_excess >= options.level;
+}
+
+/// Largest part that any other candidate explains beyond the first.
+SecondCause strongest(const Comparison& comparison, const WhitenedFrame& frame, const VectorXd& difference,
+                      const std::vector<Candidate>& candidates, const Hypothesis& first) {
+  const Pattern pattern = pattern_of(frame, difference, comparison.fingerprint, candidates);
+  SecondCause second;
+  for (Index k = 0; k < pattern.explained.size(); ++k) {
+    if (std::find(first.causes.begin(), first.causes.end(), k) != first.causes.end()) continue;
+    if (pattern.explained(k) <= second.explained) continue;
+    second.candidate = k;
+    second.explained = pattern.explained(k);
+  }
+  return second;
+}
+
+}  // namespace
+
+HypothesisFit fit_hypothesis(const MatrixXd& covariance, const std::vector<Candidate>& candidates,
+                             const Hypothesis& h) {
+  const WhitenedFrame frame(covariance, h.jacobian);
+  const AmplitudeFit change = refit(frame, h.difference, h, least_change(candidates, h));
+  const MatrixXd columns = frame.project(h.directions);
+  const Index causes = columns.cols();
+  HypothesisFit fit;
+  fit.causes = h.causes;
+  fit.amplitude = h.amplitude + change.amplitude;
+  fit.misfit = change.misfit;
+  fit.residual = frame.unwhiten(frame.project(h.difference) - columns * change.amplitude);
+  fit.coded = h.coded + frame.solve(h.jacobian, h.difference - h.directions * change.amplitude);
+  fit.covariance = frame.information_inverse(beside(h.jacobian, h.directions));
+  fit.amplitude_error = fit.covariance.diagonal().tail(causes).array().sqrt();
+  return fit;
+}
+
+std::vector<Index> refit_candidates(const Gate& gate, const NamingOptions& options) {
+  std::vector<Index> order(static_cast<std::size_t>(gate.pattern.explained.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  const VectorXd& explained = gate.pattern.explained;
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return explained(a) > explained(b); });
+  const auto far = [&](Index k) {
+    return explained(k) <= 0.0 || explained(k) < explained(order.front()) - options.near;
+  };
+  order.erase(std::find_if(order.begin(), order.end(), far), order.end());
+  if (order.size() > options.most) order.resize(options.most);
+  return order;
+}
+
+Hypothesis linear_hypothesis(const Comparison& comparison, const BaseFit& fit, std::vector<Index> causes) {
+  Hypothesis h;
+  h.amplitude = VectorXd::Zero(static_cast<Index>(causes.size()));
+  h.coded = fit.coded;
+  h.difference = fit.difference;
+  h.jacobian = fit.jacobian;
+  h.directions.resize(fit.difference.size(), static_cast<Index>(causes.size()));
+  for (std::size_t i = 0; i < causes.size(); ++i)
+    h.directions.col(static_cast<Index>(i)) = comparison.fingerprint.col(causes[i]);
+  h.causes = std::move(causes);
+  return h;
+}
+
+std::vector<HypothesisFit> judge(const Comparison& comparison, const Scatter& scatter, const BaseFit& fit,
+                                 const std::vector<Candidate>& candidates, const std::vector<Hypothesis>& hypotheses,
+                                 const NamingOptions& options) {
+  std::vector<HypothesisFit> fits;
+  double best = std::numeric_limits<double>::max();
+  for (const Hypothesis& h : hypotheses) {
+    fits.push_back(fit_hypothesis(scatter.covariance, candidates, h));
+    best = std::min(best, fits.back().misfit);
+  }
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    fits[k].excess = fits[k].misfit - best;
+    judge_one(comparison, scatter, fit, candidates, hypotheses, options, k, fits[k]);
+  }
+  return fits;
+}
+
+SecondCause second_cause(const Comparison& comparison, const Scatter& scatter, const BaseFit& base,
+                         const std::vector<Candidate>& candidates, const Hypothesis& first,
+                         const NamingOptions& options) {
+  const MatrixXd nuisance = beside(first.jacobian, first.directions);
+  const HypothesisFit fit = fit_hypothesis(scatter.covariance, candidates, first);
+  SecondCause second =
+      strongest(comparison, WhitenedFrame(scatter.covariance, nuisance), first.difference, candidates, first);
+  if (second.candidate < 0) return second;
+  RandomStream random(options.draws.seed, stream_name(first.causes, candidates) + " second");
+  std::vector<double> explained;
+  for (int d = 0; d < options.draws.draws; ++d) {
+    const DrawnNoise noise = drawn_noise(comparison, scatter, base, fit, options.draws.noise, random);
+    const WhitenedFrame frame(noise.covariance, nuisance);
+    explained.push_back(strongest(comparison, frame, noise.error, candidates, first).explained);
+  }
+  second.p = share_above(explained, second.explained);
+  return second;
+}
+
+double cosine(const WhitenedFrame& frame, const Comparison& comparison, Index a, Index b) {
+  const VectorXd x = frame.project(comparison.fingerprint.col(a)), y = frame.project(comparison.fingerprint.col(b));
+  const double size = x.norm() * y.norm();
+  return size > 0.0 ? x.dot(y) / size : 0.0;
+}
+
+}  // namespace asperity

@@ -1,0 +1,162 @@
+#include "core/confrontation/confront.hpp"
+
+#include <catch2/catch.hpp>
+#include <map>
+
+#include "core/confrontation/verdict_json.hpp"
+#include "tests/support/toy_laboratory.hpp"
+
+using namespace asperity;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// A simulator whose runs are numbers: three tests of eight features that are linear in two parameters and six
+/// mechanisms, with a scatter that a mesh has in common between runs.
+class ToySimulator {
+ public:
+  explicit ToySimulator(bool curved = false) : curved_(curved) {
+    RandomStream random(11, "toy simulator");
+    jacobian_ = 3.0 * toy::normals(kTests * kFeatures, kParameters, random);
+    fingerprint_ = 4.0 * toy::normals(kTests * kFeatures, kMechanisms, random);
+  }
+
+  /// Samples of one specimen.
+  VectorXd values(const VirtualSpecimen& s) const {
+    RandomStream random(s.seed, "mesh of " + std::to_string(s.test));
+    VectorXd v = jacobian_.middleRows(first(s.test), kFeatures) * s.coded;
+    for (const MechanismAmplitude& m : s.mechanisms) {
+      const double a = curved_ ? m.amplitude * (1.0 + 0.5 * m.amplitude) : m.amplitude;
+      v += a * fingerprint_.col(m.id.back() - '0').segment(first(s.test), kFeatures);
+    }
+    return v + toy::normals(kFeatures, 1, random).col(0);
+  }
+
+  RunConfig configure(const VirtualSpecimen& s) {
+    specimens_.push_back(s);
+    RunConfig config;
+    config.particles.seed = specimens_.size() - 1;
+    return config;
+  }
+
+  std::vector<RunFeatureValues> features(const std::vector<CampaignRun>& runs) {
+    std::vector<RunFeatureValues> all;
+    for (const CampaignRun& run : runs) {
+      const VectorXd v = values(specimens_[run.config.particles.seed]);
+      RunFeatureValues row(feature_kinds(ExperimentType::uniaxial).size());
+      for (Index f = 0; f < v.size(); ++f) row[static_cast<std::size_t>(f)] = v(f);
+      all.push_back(row);
+    }
+    runs_ += runs.size();
+    return all;
+  }
+
+  std::size_t runs() const { return runs_; }
+
+  static constexpr int kTests = 4, kFeatures = 8, kParameters = 2, kMechanisms = 6;
+
+ private:
+  static Index first(std::size_t test) { return static_cast<Index>(test) * kFeatures; }
+  bool curved_;
+  Eigen::MatrixXd jacobian_, fingerprint_;
+  std::vector<VirtualSpecimen> specimens_;
+  std::size_t runs_ = 0;
+};
+
+/// Six specimens a test of a laboratory with these parameters and mechanisms; the last test is kept back.
+ConfrontationTask task_of(ToySimulator& simulator, const VectorXd& truth, std::vector<MechanismAmplitude> hidden) {
+  ConfrontationTask task;
+  for (std::size_t t = 0; t < ToySimulator::kTests; ++t) {
+    TestEvidence test;
+    test.id = "T" + std::to_string(t);
+    test.use = t + 1 == ToySimulator::kTests ? TestUse::hold_out : TestUse::fit;
+    for (int f = 0; f < ToySimulator::kFeatures; ++f) test.slots.push_back({toy::kind(f), false, 0.01});
+    test.instrument_sd = VectorXd::Zero(ToySimulator::kFeatures);
+    test.measured.resize(6, ToySimulator::kFeatures);
+    for (std::uint64_t s = 0; s < 6; ++s)
+      test.measured.row(static_cast<Index>(s)) = simulator.values({t, truth, hidden, 9000 + s}).transpose();
+    task.evidence.tests.push_back(std::move(test));
+    task.plan.parameter_acts.emplace_back(ToySimulator::kParameters, true);
+    task.plan.candidate_acts.emplace_back(ToySimulator::kMechanisms, true);
+  }
+  for (int p = 0; p < ToySimulator::kParameters; ++p)
+    task.evidence.parameters.push_back({"p" + std::to_string(p), -8.0, 8.0});
+  for (int k = 0; k < ToySimulator::kMechanisms; ++k)
+    task.evidence.candidates.push_back({"m" + std::to_string(k), 0.6, false, false, 3.0});
+  task.plan.candidate_meshes.assign(ToySimulator::kMechanisms, 8);
+  task.options.draws.draws = 200;
+  task.configure = [&](const VirtualSpecimen& s) { return simulator.configure(s); };
+  task.features = [&](const std::string&, const std::vector<CampaignRun>& runs) { return simulator.features(runs); };
+  return task;
+}
+
+VectorXd truth() { return (VectorXd(2) << 2.6, -1.7).finished(); }
+
+}  // namespace
+
+TEST_CASE("a hidden cause is found by runs at calibrated parameters, and its gain on a kept-back test is claimed") {
+  ToySimulator simulator(true);
+  const Confrontation c = confront(task_of(simulator, truth(), {{"m1", 0.9}}));
+  REQUIRE(c.conclusion.status == VerdictStatus::named);
+  CHECK(verdict_causes(c) == std::vector<std::string>{"m1"});
+  CHECK(c.conclusion.kept.front().amplitude(0) == Approx(0.9).margin(0.15));
+  CHECK((c.centre + c.conclusion.kept.front().coded - truth()).cwiseAbs().maxCoeff() < 0.4);
+  REQUIRE(c.extensions.size() == 1);
+  REQUIRE(c.extensions.front().gain.has_value());
+  CHECK(c.extensions.front().gain->claimed());
+  CHECK(c.extensions.front().gain->rms_after < 0.5 * c.extensions.front().gain->rms_before);
+  REQUIRE(!c.decoys.empty());
+  CHECK(c.decoys.front().gain->elpd_change < c.extensions.front().gain->elpd_change);
+}
+
+TEST_CASE("about the reference no further run is made for a refit") {
+  ToySimulator simulator;
+  ConfrontationTask task = task_of(simulator, truth(), {{"m2", 1.0}});
+  task.linearised_at = LinearisedAt::reference;
+  const Confrontation c = confront(std::move(task));
+  CHECK(verdict_causes(c) == std::vector<std::string>{"m2"});
+  const std::size_t a_test = 16 + 2 * 2 * 8 + 6 * 8;
+  CHECK(simulator.runs() == 4 * a_test);
+}
+
+TEST_CASE("a laboratory without an effect claims nothing") {
+  ToySimulator simulator;
+  const Confrontation c = confront(task_of(simulator, truth(), {}));
+  CHECK(c.conclusion.status == VerdictStatus::nothing_found);
+  CHECK(c.extensions.empty());
+  CHECK((c.centre + c.base.coded - truth()).cwiseAbs().maxCoeff() < 0.4);
+}
+
+TEST_CASE("with nothing to calibrate, wrong parameters are seen but have no name") {
+  ToySimulator simulator;
+  ConfrontationTask task = task_of(simulator, truth(), {});
+  task.evidence.parameters.clear();
+  for (auto& acts : task.plan.parameter_acts) acts.clear();
+  task.configure = [&](const VirtualSpecimen& s) {
+    VirtualSpecimen at_reference = s;
+    at_reference.coded = VectorXd::Zero(2);
+    return simulator.configure(at_reference);
+  };
+  const Confrontation c = confront(std::move(task));
+  CHECK(c.gate.discrepancy);
+  CHECK(c.conclusion.status == VerdictStatus::unexplained);
+}
+
+TEST_CASE("the same data give the same verdict to the byte") {
+  const auto verdict = [] {
+    ToySimulator simulator;
+    const Confrontation c = confront(task_of(simulator, truth(), {{"m0", 1.0}}));
+    return verdict_json(c, {}).dump();
+  };
+  CHECK(verdict() == verdict());
+}
+
+TEST_CASE("two causes are found where both act") {
+  ToySimulator simulator;
+  const Confrontation c = confront(task_of(simulator, truth(), {{"m0", 1.0}, {"m2", 0.8}}));
+  REQUIRE(c.conclusion.status == VerdictStatus::two_causes);
+  std::vector<std::string> causes = verdict_causes(c);
+  std::sort(causes.begin(), causes.end());
+  CHECK(causes == std::vector<std::string>{"m0", "m2"});
+}
