@@ -19,7 +19,7 @@ class LabTest:
 
 
 def compression(id, height_mm, pressure_mpa=None, use="fit"):
-    keys = {"width_mm": 50, "height_mm": height_mm}
+    keys = {"width_mm": 50, "height_mm": height_mm, "plane": "strain"}
     if pressure_mpa is not None:
         keys["confining_pressure_mpa"] = pressure_mpa
     return LabTest(id, "uniaxial" if pressure_mpa is None else "triaxial", keys, {f"/experiment/{k}": v for k, v in keys.items()}, use)

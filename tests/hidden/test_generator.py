@@ -17,7 +17,7 @@ from pool import Pool
 
 NAMES = "|".join([*LIBRARY, *effects.OUTSIDE])
 FILE_KEYS = {"name", "material", "source", "instrument", "tests"}
-TEST_KEYS = {"id", "experiment", "use", "curve", "ends_before_peak", "width_mm", "height_mm", "diameter_mm", "confining_pressure_mpa",
+TEST_KEYS = {"id", "experiment", "use", "curve", "ends_before_peak", "plane", "width_mm", "height_mm", "diameter_mm", "confining_pressure_mpa",
              "normal_stress_mpa", "profile", "end_gap_mm"}
 
 
