@@ -82,7 +82,7 @@ def all_sets(o, acts_in):
     return sets
 
 
-def run_set(o, base, pool, confronter, plan, draw, work):
+def run_set(base, pool, confronter, plan, draw, work):
     """Writes a data set, seals its truth, confronts, and opens the seal."""
     shutil.rmtree(work, ignore_errors=True)
     sealed = work / "sealed" / "truth.json"
@@ -130,7 +130,7 @@ def run_series(o, base, pool, acts_in, out):
     rows = [json.loads(line) for line in rows_path.read_text().splitlines()] if rows_path.exists() else []
     sets = all_sets(o, acts_in)
     for index, (name, kind, plan, draw) in enumerate(sets[len(rows):], len(rows)):
-        row = {"case": name, "kind": kind, **run_set(o, base, pool, confronter, plan, draw, out / f"set_{index:05}")}
+        row = {"case": name, "kind": kind, **run_set(base, pool, confronter, plan, draw, out / f"set_{index:05}")}
         rows.append(row)
         with rows_path.open("a") as file:
             file.write(json.dumps(row) + "\n")
