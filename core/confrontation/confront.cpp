@@ -56,6 +56,7 @@ std::vector<std::size_t> worthwhile_meshes(const ConfrontationTask& task, const 
 
 void simulate_effects(const ConfrontationTask& task, Confrontation& state) {
   EvidencePlan plan = task.plan;
+  plan.kept_back_candidates = task.linearised_at == LinearisedAt::reference;
   const bool screened = task.linearised_at == LinearisedAt::calibrated && task.screen < task.common;
   plan.candidate_meshes.assign(state.evidence.candidates.size(), screened ? task.screen : task.common);
   simulate_evidence(state.evidence, plan, state.centre, "effects", task.configure, task.features);
@@ -69,12 +70,27 @@ void simulate_effects(const ConfrontationTask& task, Confrontation& state) {
   compare_fitted(state, task.options);
 }
 
+/// The mean by runs; what amplitudes add to its uncertainty from the change that these runs showed.
+FeaturePrediction prediction_by_runs(const ConfrontationTask& task, const Confrontation& state,
+                                     const HypothesisFit& fit) {
+  const VectorXd mean = extension_mean(task, state, fit);
+  const double amplitude = fit.amplitude.sum();
+  Comparison kept_back = state.kept_back;
+  for (const Index k : fit.causes) {
+    if (amplitude != 0.0) kept_back.fingerprint.col(k) = (mean - model_at(kept_back, fit.coded)) / amplitude;
+  }
+  FeaturePrediction prediction = predict_extension(kept_back, state.kept_back_scatter, fit);
+  prediction.mean = mean;
+  return prediction;
+}
+
 ExtensionGain extension_gain(const ConfrontationTask& task, const Confrontation& state, const HypothesisFit& fit) {
   ExtensionGain extension{fit, std::nullopt};
   if (state.kept_back.data.size() == 0) return extension;
   const FeaturePrediction base = predict_base(state.kept_back, state.kept_back_scatter, state.base);
-  FeaturePrediction with = predict_extension(state.kept_back, state.kept_back_scatter, fit);
-  if (task.linearised_at == LinearisedAt::calibrated) with.mean = extension_mean(task, state, fit);
+  const FeaturePrediction with = task.linearised_at == LinearisedAt::calibrated
+                                     ? prediction_by_runs(task, state, fit)
+                                     : predict_extension(state.kept_back, state.kept_back_scatter, fit);
   extension.gain = measure_gain(state.kept_back, state.kept_back_scatter, base, with, task.options.draws);
   return extension;
 }

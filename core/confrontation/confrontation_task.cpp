@@ -72,8 +72,8 @@ TestEvidence test_evidence(const ConfrontationConfig& config, const MeasuredTest
   evidence.scatter = test.scatter;
   for (const std::string& name : config.features.at(test.experiment)) {
     const FeatureRule& rule = *find_feature_rule(test.experiment, name);
-    evidence.slots.push_back({find_feature_kind(test.experiment, name), rule.logarithmic, floor_of(rule, run),
-                              flow_strength(test, name)});
+    evidence.slots.push_back(
+        {find_feature_kind(test.experiment, name), rule.logarithmic, floor_of(rule, run), flow_strength(test, name)});
   }
   take_measured(evidence, test);
   return evidence;

@@ -12,8 +12,8 @@ namespace asperity {
 /// One feature of one test, as it is compared.
 struct FeatureSlot {
   const FeatureKind* kind = nullptr;
-  bool logarithmic = false;  ///< Samples hold the natural logarithm.
-  double floor_sd = 0;       ///< Least scatter of one specimen that is believed, in the samples' unit.
+  bool logarithmic = false;                ///< Samples hold the natural logarithm.
+  double floor_sd = 0;                     ///< Least scatter of one specimen that is believed, in the samples' unit.
   const FeatureKind* simulated = nullptr;  ///< What is read of a run, where that is another kind; else `kind`.
 };
 

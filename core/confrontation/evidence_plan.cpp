@@ -60,6 +60,7 @@ void plan_candidates(PlannedRuns& planned, Evidence& evidence, const EvidencePla
                      const VectorXd& centre, const ConfigureRun& configure) {
   TestEvidence& test = evidence.tests[t];
   test.mechanism.assign(evidence.candidates.size(), no_rows(test));
+  if (test.use == TestUse::hold_out && !plan.kept_back_candidates) return;
   for (std::size_t k = 0; k < evidence.candidates.size(); ++k) {
     if (!plan.candidate_acts[t][k] || plan.candidate_meshes[k] == 0) continue;
     const Candidate& c = evidence.candidates[k];

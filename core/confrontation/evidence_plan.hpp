@@ -44,6 +44,7 @@ struct EvidencePlan {
   std::vector<std::vector<bool>> candidate_acts;  ///< By test and candidate.
   std::uint64_t first_seed = 1;                   ///< Of fitted tests.
   std::uint64_t fresh_seed = 500001;              ///< Of kept-back tests.
+  bool kept_back_candidates = true;               ///< Whether candidates are run on kept-back tests too.
   bool effects = true;                            ///< False: the base alone.
 };
 

@@ -52,7 +52,8 @@ constexpr FeatureKind kCompression[] = {
     {"reloading_modulus_gpa", "GPa", "(F23)", "stiffness on reloading", in_gpa<reloading_stiffness>},
     {"reload_toe_travel_strain", "1", "(F24)", "toe of the reload", reload_toe_travel},
     {"permanent_strain", "1", "(F25)", "path that a loop leaves behind at small load", permanent_path},
-    {"largest_axial_stress_mpa", "MPa", "(F28)", "largest axial stress up to the limit, total, peak or not", largest_load},
+    {"largest_axial_stress_mpa", "MPa", "(F28)", "largest axial stress up to the limit, total, peak or not",
+     largest_load},
 };
 
 constexpr FeatureKind kDisc[] = {

@@ -33,7 +33,8 @@ FeatureValue peak_load(const CurveShape& shape) {
 }
 
 FeatureValue largest_load(const CurveShape& shape) {
-  if (shape.first.path.size() < kLeastRows || shape.peak <= 0.0) return absent("the curve has fewer than ten rows, or bears nothing");
+  if (shape.first.path.size() < kLeastRows || shape.peak <= 0.0)
+    return absent("the curve has fewer than ten rows, or bears nothing");
   return {shape.peak + base_load(shape.reading), ""};
 }
 
