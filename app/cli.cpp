@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/cli_compare.hpp"
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
 #include "core/base/build_info.hpp"
@@ -265,7 +266,7 @@ int run_command_line(int argc, char** argv) {
       "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
   Action action;
   for (const auto add :
-       {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_report, add_audit, add_campaign,
+       {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_compare, add_report, add_audit, add_campaign,
         add_calibrate, add_features, add_mechanisms, add_gallery, add_acceleration, add_bench, add_info}) {
     add(cli, action);
   }
