@@ -19,7 +19,7 @@ constexpr double kMargin = 36, kGap = 36, kHeader = 118, kRowGap = 20;
 constexpr double kWidest = 2100, kHighest = 1500;  // all panels of a picture together, without their texts
 constexpr double kNarrowest = 300, kNarrowestPicture = 1100;
 constexpr double kHeadingRow = 40, kLineRow = 32, kHeadingSize = 27, kLineSize = 24;
-constexpr double kRoseRadius = 62, kRoseRow = 150;
+constexpr double kRoseRadius = 62, kRoseRow = 150, kWideEnough = 560;
 constexpr double kFoot = 130, kFootUnit = 0.85, kScaleBarRoom = 330, kColourBar = 620, kSwatch = 70;
 constexpr double kStandardSpecimen = 950;  // height of a specimen whose lines are as wide as the style says
 
@@ -39,6 +39,8 @@ struct Layout {
   int columns = 1, rows = 1;
   double pixels_per_mm = 0;
   double panel_width = 0, specimen_height = 0, text_height = 0, rose_height = 0;
+  bool roses_beside = false;  ///< The texts, where there is room; else they stand below.
+  double text_width() const { return panel_width - (roses_beside ? kRoseRow : 0); }
   double cell_height() const { return specimen_height + text_height + rose_height; }
   double width() const { return std::max(kNarrowestPicture, 2 * kMargin + columns * (panel_width + kGap) - kGap); }
 };
@@ -52,15 +54,18 @@ Vec2 largest_room_mm(const PatternGrid& grid) {
   return room;
 }
 
-/// The number of columns that shows the specimens largest.
+/// The number of columns that shows the specimens largest and leaves the fewest cells empty.
 Layout place_panels(const PatternGrid& grid) {
   const Vec2 room = largest_room_mm(grid);
   const int count = static_cast<int>(grid.panels.size());
   Layout best;
+  double most = 0;
   for (int columns = 1; columns <= count; ++columns) {
     const int rows = (count + columns - 1) / columns;
     const double scale = std::min((kWidest / columns - kGap) / room.x, kHighest / rows / room.y);
-    if (scale <= best.pixels_per_mm) continue;
+    const double filled = scale * scale * count / (rows * columns);
+    if (filled <= most) continue;
+    most = filled;
     best = {columns, rows, scale, std::max(kNarrowest, scale * room.x), std::ceil(scale * room.y), 0, 0};
   }
   return best;
@@ -76,12 +81,16 @@ std::vector<std::string> lines_of(const PatternPanel& panel, double width) {
 Layout layout_of(const PatternGrid& grid) {
   assert(!grid.panels.empty());
   Layout layout = place_panels(grid);
+  const bool roses = std::any_of(grid.panels.begin(), grid.panels.end(),
+                                 [](const PatternPanel& panel) { return !panel.rose.shares.empty(); });
+  layout.roses_beside = roses && layout.panel_width >= kWideEnough;
   std::size_t lines = 0;
-  for (const PatternPanel& panel : grid.panels) {
-    lines = std::max(lines, lines_of(panel, layout.panel_width).size());
-    if (!panel.rose.shares.empty()) layout.rose_height = kRoseRow;
-  }
+  for (const PatternPanel& panel : grid.panels) lines = std::max(lines, lines_of(panel, layout.text_width()).size());
   layout.text_height = kHeadingRow + kLineRow * static_cast<double>(lines) + kRowGap;
+  if (layout.roses_beside)
+    layout.text_height = std::max(layout.text_height, kRoseRow);
+  else if (roses)
+    layout.rose_height = kRoseRow;
   return layout;
 }
 
@@ -107,8 +116,8 @@ View place_specimen(const PatternPanel& panel, const Layout& layout, Vec2 top_le
 }
 
 double line_unit(const View& view) {
-  return std::clamp(view.pixels_per_mm * std::max(view.specimen_mm.x, view.specimen_mm.y) / kStandardSpecimen, 0.35,
-                    1.0);
+  const double pixels = view.pixels_per_mm * std::max(view.specimen_mm.x, view.specimen_mm.y);
+  return std::clamp(std::sqrt(pixels / kStandardSpecimen), 0.45, 1.0);
 }
 
 void draw_panel(Drawing& drawing, const PatternPanel& panel, Field field, const Layout& layout, Vec2 top_left) {
@@ -117,10 +126,12 @@ void draw_panel(Drawing& drawing, const PatternPanel& panel, Field field, const 
   const View view = place_specimen(panel, layout, top_left);
   draw_specimen(drawing, panel.frame, options, view, line_unit(view));
   const double below = top_left.y + layout.specimen_height;
-  draw_texts(drawing, panel, {top_left.x, below}, layout.panel_width);
-  if (!panel.rose.shares.empty())
-    draw_rose(drawing, {top_left.x + kRoseRadius + 10, below + layout.text_height + 0.45 * kRoseRow}, kRoseRadius,
-              panel.rose);
+  draw_texts(drawing, panel, {top_left.x, below}, layout.text_width());
+  if (panel.rose.shares.empty()) return;
+  const Vec2 rose = layout.roses_beside
+                        ? Vec2{top_left.x + layout.panel_width - 0.5 * kRoseRow, below + 0.5 * kRoseRow + 4}
+                        : Vec2{top_left.x + 0.5 * kRoseRow, below + layout.text_height + 0.45 * kRoseRow};
+  draw_rose(drawing, rose, kRoseRadius, panel.rose);
 }
 
 bool any_defect(const PatternGrid& grid) {

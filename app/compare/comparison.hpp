@@ -57,7 +57,10 @@ bool draw_difference(const Comparison& comparison, const ComparisonFiles& files)
 /// The page, with the pictures inside it. Throws Error(output).
 void write_comparison_page(const Comparison& comparison, const ComparisonFiles& files);
 
-/// One run through time: `count` frames, evenly from the first to the last. Throws Error(output).
+/// Up to `count` frames, evenly from the last one before anything broke to the end.
+std::vector<RunFrame> montage_frames(const ComparedRun& run, std::size_t count);
+
+/// One run through time, in its montage_frames. Throws Error(output).
 void draw_montage(const ComparedRun& run, std::size_t count, render::Field field, const std::filesystem::path& picture);
 
 }  // namespace asperity::app

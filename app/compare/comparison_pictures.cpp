@@ -5,6 +5,7 @@
 #include <map>
 
 #include "app/compare/comparison.hpp"
+#include "app/report/quantities.hpp"
 #include "render/charts.hpp"
 #include "render/difference_map.hpp"
 #include "render/paint.hpp"
@@ -68,7 +69,7 @@ render::Stroke curve_stroke(std::size_t run) {
 
 void draw_comparison(const Comparison& c, const ComparisonFiles& files) {
   render::PatternGrid grid{
-      title_of(c), "Frames nearest to the same place: " + c.aligned.words + ". One scale throughout.", c.field, {}};
+      title_of(c), capitalised(c.aligned.words) + "; nearest frames, one scale throughout.", c.field, {}};
   const double outer = outer_share(c);
   for (std::size_t i = 0; i < c.runs.size(); ++i) {
     const PatternMeasures& m = c.patterns[i].measures;
@@ -112,7 +113,7 @@ bool draw_difference(const Comparison& c, const ComparisonFiles& files) {
   if (c.runs.size() != 2 || !same_mesh(c.patterns[0].frame, c.patterns[1].frame)) return false;
   const render::DifferenceMap map{
       render::experiment_texts(c.patterns[0].frame).title + ": what two runs on one mesh differ by",
-      "A: " + c.labels[0] + ".  B: " + c.labels[1] + ".  " + c.aligned.words + ", drawn at rest.",
+      "A: " + c.labels[0] + ".  B: " + c.labels[1] + ".  " + capitalised(c.aligned.words) + ", drawn at rest.",
       {"A", "B"},
       c.patterns[0].frame,
       c.patterns[1].frame,
@@ -121,19 +122,31 @@ bool draw_difference(const Comparison& c, const ComparisonFiles& files) {
   return true;
 }
 
+std::vector<RunFrame> montage_frames(const ComparedRun& run, std::size_t count) {
+  const std::vector<double> breaks = run.cracks.numbers("time_s"), times = run.curves.numbers("time_s");
+  const auto earliest = std::min_element(breaks.begin(), breaks.end());
+  std::size_t first = 0;
+  while (earliest != breaks.end() && first + 1 < run.frames.size() && times[run.frames[first + 1].row] < *earliest)
+    ++first;
+  const std::size_t steps = run.frames.size() - 1 - first, shown = std::min(count, steps + 1);
+  if (shown == 1) return {run.frames.back()};
+  std::vector<RunFrame> frames;
+  for (std::size_t i = 0; i < shown; ++i)
+    frames.push_back(run.frames[first + (2 * i * steps + shown - 1) / (2 * (shown - 1))]);
+  return frames;
+}
+
 void draw_montage(const ComparedRun& run, std::size_t count, render::Field field,
                   const std::filesystem::path& picture) {
   render::PatternGrid grid;
   grid.field = field;
-  const std::size_t shown = std::min(count, run.frames.size()), last = run.frames.size() - 1;
-  for (std::size_t i = 0; i < shown; ++i) {
-    const RunFrame& frame = run.frames[shown == 1 ? last : (2 * i * last + shown - 1) / (2 * (shown - 1))];
+  const std::vector<RunFrame> frames = montage_frames(run, count);
+  for (const RunFrame& frame : frames)
     grid.panels.push_back({render::read_frame(run.folder, frame.number), state_of(run, frame), {}, {}});
-  }
   const render::ExperimentTexts texts = render::experiment_texts(grid.panels.front().frame);
   grid.title = texts.title + ": " + std::string(render::field_name(field)) + " of " + run.name + " through time";
-  grid.subtitle = fmt::format("{} of {} frames; under each {} and {}. One scale throughout.", shown, run.frames.size(),
-                              texts.strain, texts.stress);
+  grid.subtitle = fmt::format("{} of {} frames; under each {} and {}. One scale throughout.", frames.size(),
+                              run.frames.size(), texts.strain, texts.stress);
   render::write_png(render::draw_pattern_grid(grid), picture);
 }
 

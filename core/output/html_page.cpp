@@ -143,6 +143,14 @@ button { font: inherit; color: var(--ink); background: var(--paper); border: 1px
 .viewed .guide { stroke: var(--bad); stroke-width: 1.2; stroke-dasharray: 5 4; }
 .viewed .present { fill: var(--bad); stroke: var(--paper); stroke-width: 2; }
 @media (max-width: 52rem) { .viewed { grid-template-columns: minmax(0, 1fr); } }
+.filter input { font: inherit; color: var(--ink); background: var(--paper); border: 1px solid var(--soft); border-radius: .3rem;
+  padding: .2rem .6rem; width: 20rem; max-width: 100%; }
+.count { color: var(--soft); margin-left: 1rem; }
+.thumbnail { display: block; width: 9rem; }
+thead button { font-weight: 600; text-align: inherit; border-color: transparent; background: none; padding: 0 .2rem; margin: 0 -.2rem; }
+thead button:hover { border-color: var(--soft); }
+[aria-sort] button::after { content: " \25B2"; font-size: .7em; }
+[aria-sort=descending] button::after { content: " \25BC"; }
 dt { font-weight: 600; margin-top: .9rem; }
 dd { margin: .15rem 0 0 1.5rem; }
 footer { margin-top: 4rem; padding-top: 1rem; border-top: 1px solid var(--line); color: var(--soft); font-size: .9rem; }
