@@ -97,8 +97,8 @@ void add_render(CLI::App& cli, Action& action) {
 
 void add_report(CLI::App& cli, Action& action) {
   auto folder = std::make_shared<std::filesystem::path>();
-  CLI::App* command =
-      cli.add_subcommand("report", "Writes the report page of a run's or a calibration's folder anew, with its plots, or an index of a folder of runs");
+  CLI::App* command = cli.add_subcommand(
+      "report", "Writes the page of a run's or a calibration's folder anew, with its plots, or an index of many runs");
   command->add_option("dir", *folder, "Folder of a run, with calibration.json, or of several runs")->required();
   command->footer("Examples:\n  asperity report outputs/quickstart\n  asperity report outputs");
   command->callback([=, &action] { action = [=] { return report_command(*folder); }; });

@@ -20,7 +20,7 @@ constexpr double kWidest = 2100, kHighest = 1500;  // all panels of a picture to
 constexpr double kNarrowest = 300, kNarrowestPicture = 1100;
 constexpr double kHeadingRow = 40, kLineRow = 32, kHeadingSize = 27, kLineSize = 24;
 constexpr double kRoseRadius = 62, kRoseRow = 150, kWideEnough = 560;
-constexpr double kFoot = 130, kFootUnit = 0.85, kScaleBarRoom = 330, kColourBar = 620, kSwatch = 70;
+constexpr double kFoot = 120, kNoteRow = 44, kFootUnit = 0.85, kScaleBarText = 170, kColourBar = 620, kSwatch = 70;
 constexpr double kStandardSpecimen = 950;  // height of a specimen whose lines are as wide as the style says
 
 Text text_at(Vec2 at, const std::string& text, double size, Weight weight = Weight::regular,
@@ -63,7 +63,7 @@ Layout place_panels(const PatternGrid& grid) {
   for (int columns = 1; columns <= count; ++columns) {
     const int rows = (count + columns - 1) / columns;
     const double scale = std::min((kWidest / columns - kGap) / room.x, kHighest / rows / room.y);
-    const double filled = scale * scale * count / (rows * columns);
+    const double filled = scale * count / (rows * columns);
     if (filled <= most) continue;
     most = filled;
     best = {columns, rows, scale, std::max(kNarrowest, scale * room.x), std::ceil(scale * room.y), 0, 0};
@@ -159,7 +159,8 @@ void draw_foot(Drawing& drawing, const PatternGrid& grid, const Layout& layout, 
   View view = place_specimen(grid.panels.front(), layout, {kMargin, top - layout.specimen_height});
   view.area.left = kMargin;
   draw_scale_bar(drawing, view, kFootUnit);
-  const double left = kMargin + kScaleBarRoom;
+  const double bar = round_step(std::max(view.specimen_mm.x, view.specimen_mm.y), 6) * view.pixels_per_mm;
+  const double left = kMargin + bar + kScaleBarText;
   if (const auto colours = field_colours(grid.field)) {
     draw_colour_bar(drawing, *colours, {field_range(grid.field, {}), {0, 1}},
                     {left, top, left + kColourBar, top + kFoot}, kFootUnit);
@@ -184,7 +185,8 @@ double pattern_grid_scale(const PatternGrid& grid) { return place_panels(grid).p
 Drawing draw_pattern_grid(const PatternGrid& grid) {
   const Layout layout = layout_of(grid);
   const double foot = kHeader + layout.rows * (layout.cell_height() + kRowGap);
-  Drawing drawing{static_cast<int>(std::ceil(layout.width())), static_cast<int>(std::ceil(foot + kFoot)), {}};
+  Drawing drawing{
+      static_cast<int>(std::ceil(layout.width())), static_cast<int>(std::ceil(foot + kFoot + kNoteRow)), {}};
   const double room = drawing.width - 2 * kMargin;
   drawing.shapes.push_back(
       text_at({kMargin, 58}, grid.title, fitting_size(grid.title, 36, Weight::bold, room), Weight::bold));

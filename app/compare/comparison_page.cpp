@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/compare/comparison.hpp"
+#include "app/report/quantities.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/build_info.hpp"
 #include "core/output/html.hpp"
@@ -34,13 +35,12 @@ std::string panels_in_words(const Comparison& c) {
 
 html::Section patterns_section(const Comparison& c, const ComparisonFiles& files) {
   html::Section section{"Patterns", {}, {}};
-  section.parts.push_back(
-      html::figure({{{inside(files.picture), "Specimens side by side with their " +
-                                                 std::string(render::field_name(c.field)) + ". " + panels_in_words(c)}},
-                    "Frames " + c.aligned.words +
-                        ", as near as frames were taken; one scale, one legend. Roses: crack length by "
-                        "orientation, the loading axis upwards.",
-                    {}}));
+  section.parts.push_back(html::figure(
+      {{{inside(files.picture),
+         "Specimens side by side with their " + std::string(render::field_name(c.field)) + ". " + panels_in_words(c)}},
+       capitalised(c.aligned.words) + ", as near as frames were taken; one scale, one legend. Roses: crack length by "
+                                      "orientation, the loading axis upwards.",
+       {}}));
   if (fs::exists(files.beside("_difference.png")))
     section.parts.push_back(html::figure(
         {{{inside(files.beside("_difference.png")),
@@ -130,7 +130,7 @@ html::Section runs_section(const Comparison& c, const ComparisonFiles& files) {
 }  // namespace
 
 void write_comparison_page(const Comparison& c, const ComparisonFiles& files) {
-  html::Page page{title_of(c), Markup("Compared " + c.aligned.words), {}, {}, {}};
+  html::Page page{title_of(c), capitalised(c.aligned.words), {}, {}, {}};
   for (const std::string& warning : c.warnings)
     page.lead.push_back(html::notice(html::NoticeKind::warning, warning + "."));
   page.sections = {patterns_section(c, files), curves_of(files), measures_section(c, files), differences_section(c),

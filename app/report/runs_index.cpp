@@ -13,7 +13,6 @@
 #include "core/base/atomic_file.hpp"
 #include "core/base/build_info.hpp"
 #include "core/base/error.hpp"
-#include "core/config/enum_words.hpp"
 #include "core/config/read_config.hpp"
 #include "core/output/html_sortable.hpp"
 #include "core/output/manifest.hpp"
@@ -50,8 +49,7 @@ KeyResults key_results(ExperimentType type) {
 }
 
 std::string experiment_words(const RunConfig& config) {
-  std::string words(word(config.experiment.type));
-  std::replace(words.begin(), words.end(), '_', ' ');
+  std::string words = experiment_title(config.experiment.type);
   if (config.experiment.type == ExperimentType::triaxial)
     words += fmt::format(", {:g} MPa", config.experiment.confining_pressure_mpa);
   if (config.experiment.type == ExperimentType::direct_shear)
@@ -109,14 +107,21 @@ html::RowTone tone_of(const Manifest& manifest) {
   return manifest.outcome == Outcome::finished ? html::RowTone::plain : html::RowTone::quiet;
 }
 
+/// "2026-03-01 12:34" of the end, or of the start where there is no end yet.
+std::string date_of(const Manifest& manifest) {
+  constexpr std::size_t kToMinutes = 16;
+  std::string date = (manifest.ended_utc.empty() ? manifest.started_utc : manifest.ended_utc).substr(0, kToMinutes);
+  std::replace(date.begin(), date.end(), 'T', ' ');
+  return date;
+}
+
 Markup count_cell(const Value& value) { return value.is_number() ? html::fixed(value.number(), 0) : Markup("–"); }
 
 void add_results(const Value& summary, ExperimentType type, html::Row& row) {
   const KeyResults keys = key_results(type);
   const Value place = summary["results"][keys.place];
   row.cells.push_back(html::number(summary["results"][keys.strength].number()));
-  row.cells.push_back(place.exists() ? html::number(keys.factor * place.number(), 3) : Markup("–"));
-  row.cells.push_back(keys.unit);
+  row.cells.push_back(place.exists() ? html::number(keys.factor * place.number(), 3) + " " + keys.unit : Markup("–"));
   for (const char* key : {"tension", "shear", "fragments"}) row.cells.push_back(count_cell(summary["cracks"][key]));
   const Value failure = summary["failure_mode"];
   const std::string teeth = failure["teeth_failed"].text(), verdict = failure["at_end"]["verdict"].text();
@@ -135,14 +140,14 @@ html::Row row_of(const fs::path& run) try {
     const Document summary(run / "summary.json");
     add_results(summary.root(), config.experiment.type, row);
   } else {
-    row.cells.insert(row.cells.end(), 7, "–");
+    row.cells.insert(row.cells.end(), 6, "–");
   }
   row.cells.push_back(status_of(run, manifest));
-  row.cells.push_back(manifest.ended_utc.empty() ? manifest.started_utc : manifest.ended_utc);
+  row.cells.push_back(date_of(manifest));
   return row;
 } catch (const Error& error) {
   html::Row row{{"", html::link(run.filename() / "", run.filename().string())}, html::RowTone::bad};
-  row.cells.insert(row.cells.end(), 9, "–");
+  row.cells.insert(row.cells.end(), 8, "–");
   row.cells.push_back(std::string("cannot be read: ") + error.what());
   row.cells.push_back("–");
   return row;
@@ -157,10 +162,9 @@ html::Table runs_table(const std::vector<fs::path>& entries) {
        {"Experiment", {}, ColumnKind::text},
        {"Set-up", {}, ColumnKind::text},
        {"Strength", "MPa"},
-       {"Reached at"},
-       {"Unit", {}, ColumnKind::text},
-       {"Broken in tension"},
-       {"Broken in shear"},
+       {"At"},
+       {"Tension", "broken"},
+       {"Shear", "broken"},
        {"Fragments"},
        {"Failure", {}, ColumnKind::text},
        {"Status", {}, ColumnKind::text},

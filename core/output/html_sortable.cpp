@@ -30,8 +30,9 @@ for (const sortable of document.querySelectorAll(".sortable")) {
   const box = sortable.querySelector("input[type=search]"), count = sortable.querySelector(".count");
 
   function value(row, column) {
-    const text = row.cells[column].textContent.trim(), number = Number(text.replace("−", "-"));
-    return text !== "" && Number.isFinite(number) ? number : text;
+    const text = row.cells[column].textContent.trim();
+    const number = text.match(/^([−-]?[0-9.]+)( [^0-9]+)?$/);  // with a unit or without
+    return number ? Number(number[1].replace("−", "-")) : text;
   }
 
   // Numbers by size, then words; what is not there comes last in either direction.
