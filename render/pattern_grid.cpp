@@ -20,7 +20,8 @@ constexpr double kWidest = 2100, kHighest = 1500;  // all panels of a picture to
 constexpr double kNarrowest = 300, kNarrowestPicture = 1100;
 constexpr double kHeadingRow = 40, kLineRow = 32, kHeadingSize = 27, kLineSize = 24;
 constexpr double kRoseRadius = 62, kRoseRow = 150, kWideEnough = 560;
-constexpr double kFoot = 120, kNoteRow = 44, kFootUnit = 0.85, kScaleBarText = 170, kColourBar = 620, kSwatch = 70;
+constexpr double kLegendFoot = 76, kBarFoot = 120, kNoteRow = 44, kFootUnit = 0.85, kScaleBarText = 170,
+                 kColourBar = 620, kSwatch = 70;
 constexpr double kStandardSpecimen = 950;  // height of a specimen whose lines are as wide as the style says
 
 Text text_at(Vec2 at, const std::string& text, double size, Weight weight = Weight::regular,
@@ -155,6 +156,11 @@ void draw_crack_legend(Drawing& drawing, const PatternGrid& grid, Vec2 at) {
   }
 }
 
+double foot_height(const PatternGrid& grid) {
+  return (field_colours(grid.field) ? kBarFoot : kLegendFoot) +
+         (grid.panels.front().rose.shares.empty() ? 0 : kNoteRow);
+}
+
 void draw_foot(Drawing& drawing, const PatternGrid& grid, const Layout& layout, double top) {
   View view = place_specimen(grid.panels.front(), layout, {kMargin, top - layout.specimen_height});
   view.area.left = kMargin;
@@ -163,7 +169,7 @@ void draw_foot(Drawing& drawing, const PatternGrid& grid, const Layout& layout, 
   const double left = kMargin + bar + kScaleBarText;
   if (const auto colours = field_colours(grid.field)) {
     draw_colour_bar(drawing, *colours, {field_range(grid.field, {}), {0, 1}},
-                    {left, top, left + kColourBar, top + kFoot}, kFootUnit);
+                    {left, top, left + kColourBar, top + kBarFoot}, kFootUnit);
   } else {
     draw_crack_legend(drawing, grid, {left, top + 36 * kFootUnit});
   }
@@ -186,7 +192,7 @@ Drawing draw_pattern_grid(const PatternGrid& grid) {
   const Layout layout = layout_of(grid);
   const double foot = kHeader + layout.rows * (layout.cell_height() + kRowGap);
   Drawing drawing{
-      static_cast<int>(std::ceil(layout.width())), static_cast<int>(std::ceil(foot + kFoot + kNoteRow)), {}};
+      static_cast<int>(std::ceil(layout.width())), static_cast<int>(std::ceil(foot + foot_height(grid))), {}};
   const double room = drawing.width - 2 * kMargin;
   drawing.shapes.push_back(
       text_at({kMargin, 58}, grid.title, fitting_size(grid.title, 36, Weight::bold, room), Weight::bold));

@@ -146,12 +146,12 @@ const std::vector<MeasureKind>& measure_kinds() {
       {"fragments", "fragments", "–", &M::fragments},
       {"largest_fragment_share", "largest fragment's share of area", "–", &M::largest_fragment_share},
       {"external_work_n_mm", "external work", "N mm", &M::external_work_n_mm},
-      {"elastic_share", "of it elastic", "–", &M::elastic_share},
-      {"fracture_share", "fracture", "–", &M::fracture_share},
-      {"friction_share", "friction", "–", &M::friction_share},
-      {"damping_share", "damping", "–", &M::damping_share},
-      {"kinetic_share", "kinetic", "–", &M::kinetic_share},
-      {"plasticity_share", "plasticity", "–", &M::plasticity_share}};
+      {"elastic_share", "share of it: elastic", "–", &M::elastic_share},
+      {"fracture_share", "share of it: fracture", "–", &M::fracture_share},
+      {"friction_share", "share of it: friction", "–", &M::friction_share},
+      {"damping_share", "share of it: damping", "–", &M::damping_share},
+      {"kinetic_share", "share of it: kinetic", "–", &M::kinetic_share},
+      {"plasticity_share", "share of it: plasticity", "–", &M::plasticity_share}};
   return kinds;
 }
 

@@ -155,6 +155,7 @@ button { font: inherit; color: var(--ink); background: var(--paper); border: 1px
 .thumbnail img { width: 8rem; height: 7.5rem; object-fit: cover; object-position: 4% 60%; }
 body:has(.sortable) { max-width: 100rem; }
 .sortable td, .sortable tbody th { vertical-align: middle; padding: .3rem .5rem; }
+.sortable td:last-child { white-space: nowrap; }
 thead button { font-weight: 600; text-align: inherit; border-color: transparent; background: none; padding: 0 .2rem; margin: 0 -.2rem; }
 thead button:hover { border-color: var(--soft); }
 [aria-sort] button::after { content: " \25B2"; font-size: .7em; }

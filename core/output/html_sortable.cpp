@@ -16,7 +16,8 @@ Markup thumbnail(const Picture& picture, const std::filesystem::path& target) {
 Markup sortable_table(const Table& content, std::string_view rows_are) {
   const std::string words = escaped(rows_are);
   return Markup::from_html(fmt::format(
-      "<div class=\"sortable\" data-rows=\"{0}\">\n<p class=\"filter controls\" hidden><label>Show {0} with the words "
+      "<div class=\"sortable\" data-rows=\"{0}\">\n<p class=\"filter controls\" hidden><label>Show {0} with (commas "
+      "part several) "
       "<input type=\"search\" autocomplete=\"off\"></label> <span class=\"count\" aria-live=\"polite\"></span></p>\n{1}"
       "</div>\n",
       words, table(content).html()));
@@ -53,7 +54,7 @@ for (const sortable of document.querySelectorAll(".sortable")) {
   }
 
   function filter() {
-    const words = box.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const words = box.value.toLowerCase().split(",").map((word) => word.trim()).filter(Boolean);
     let shown = 0;
     for (const row of rows) {
       const text = row.textContent.toLowerCase();
