@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/cli_compare.hpp"
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
 #include "core/base/build_info.hpp"
@@ -97,10 +98,10 @@ void add_render(CLI::App& cli, Action& action) {
 
 void add_report(CLI::App& cli, Action& action) {
   auto folder = std::make_shared<std::filesystem::path>();
-  CLI::App* command =
-      cli.add_subcommand("report", "Writes the report page of a run's or a calibration's folder anew, with its plots");
-  command->add_option("dir", *folder, "Folder of a run, or with calibration.json")->required();
-  command->footer("Examples:\n  asperity report outputs/quickstart\n  asperity report outputs/plaster");
+  CLI::App* command = cli.add_subcommand(
+      "report", "Writes the page of a run's or a calibration's folder anew, with its plots, or an index of many runs");
+  command->add_option("dir", *folder, "Folder of a run, with calibration.json, or of several runs")->required();
+  command->footer("Examples:\n  asperity report outputs/quickstart\n  asperity report outputs");
   command->callback([=, &action] { action = [=] { return report_command(*folder); }; });
 }
 
@@ -292,9 +293,9 @@ int run_command_line(int argc, char** argv) {
       "data, "
       "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
   Action action;
-  for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_report, add_audit,
-                         add_campaign, add_calibrate, add_confront, add_features, add_mechanisms, add_gallery,
-                         add_acceleration, add_bench, add_info}) {
+  for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_compare, add_report,
+                         add_audit, add_campaign, add_calibrate, add_confront, add_features, add_mechanisms,
+                         add_gallery, add_acceleration, add_bench, add_info}) {
     add(cli, action);
   }
   try {

@@ -35,16 +35,6 @@ struct CrackRow {
   const char* text;
 };
 
-void draw_crack_swatch(Drawing& drawing, CrackMode mode, Vec2 a, Vec2 b, double unit) {
-  using namespace style;
-  if (mode == CrackMode::tension) add_line(drawing, a, b, {kTension, kTensionWidth * unit, {}, Cap::round});
-  if (mode == CrackMode::defect) add_line(drawing, a, b, {kDefect, kDefectWidth * unit, {}, Cap::round});
-  if (mode == CrackMode::softening) add_line(drawing, a, b, {kSoftening, kSofteningWidth * unit, {}, Cap::round});
-  if (mode != CrackMode::shear) return;
-  add_line(drawing, a, b, {kShear, kShearWidth * unit, {}, Cap::round});
-  add_line(drawing, a, b, {kShearCore, kShearCoreWidth * unit, {}, Cap::round});
-}
-
 double draw_crack_key(Drawing& drawing, const Frame& frame, const Box& room, double unit) {
   const CrackRow rows[] = {{CrackMode::tension, "Broken in tension"},
                            {CrackMode::shear, "Broken in shear"},
@@ -181,23 +171,6 @@ void draw_bar_ticks(Drawing& drawing, const Box& bar, const Axis& axis, double u
   }
 }
 
-double draw_colour_bar(Drawing& drawing, const Frame& frame, const PictureOptions& options, const Box& room,
-                       double unit) {
-  const FieldColours colours = *field_colours(options.field);
-  const std::vector<double> values = field_values(frame, options.field);
-  const Axis axis =
-      make_axis(options.value_range.value_or(field_range(options.field, values)), colours.label, kBarParts);
-  const double indent = 26 * unit, top = room.top + 1.5 * style::kLabelSize * unit;
-  const Box bar{room.left + indent, top, room.right - indent, top + kBarHeight * unit};
-  const double size = fitting_size(axis.label, style::kLabelSize * unit, Weight::regular, bar.width());
-  drawing.shapes.push_back(label({bar.left, room.top + 0.95 * style::kLabelSize * unit}, axis.label, size));
-  draw_bar(drawing, bar, colours.map);
-  draw_bar_ends(drawing, bar, colours.map, axis.range, range_of(values));
-  add_frame(drawing, bar, {style::kInk, 2 * unit, {}, Cap::butt});
-  draw_bar_ticks(drawing, bar, axis, unit);
-  return bar.bottom + (22 + 0.9 * style::kTickSize) * unit;
-}
-
 /// Encloses the curve, the present point and zero, with some headroom but on the side where zero is the end.
 Range inset_range(double low, double high, double present) {
   const Range all{std::min({low, present, 0.0}), std::max({high, present, 0.0})};
@@ -207,6 +180,30 @@ Range inset_range(double low, double high, double present) {
 }
 
 }  // namespace
+
+void draw_crack_swatch(Drawing& drawing, CrackMode mode, Vec2 a, Vec2 b, double unit) {
+  using namespace style;
+  if (mode == CrackMode::tension) add_line(drawing, a, b, {kTension, kTensionWidth * unit, {}, Cap::round});
+  if (mode == CrackMode::defect) add_line(drawing, a, b, {kDefect, kDefectWidth * unit, {}, Cap::round});
+  if (mode == CrackMode::softening) add_line(drawing, a, b, {kSoftening, kSofteningWidth * unit, {}, Cap::round});
+  if (mode != CrackMode::shear) return;
+  add_line(drawing, a, b, {kShear, kShearWidth * unit, {}, Cap::round});
+  add_line(drawing, a, b, {kShearCore, kShearCoreWidth * unit, {}, Cap::round});
+}
+
+double draw_colour_bar(Drawing& drawing, const FieldColours& colours, const ShownRanges& ranges, const Box& room,
+                       double unit) {
+  const Axis axis = make_axis(ranges.shown, colours.label, kBarParts);
+  const double indent = 26 * unit, top = room.top + 1.5 * style::kLabelSize * unit;
+  const Box bar{room.left + indent, top, room.right - indent, top + kBarHeight * unit};
+  const double size = fitting_size(axis.label, style::kLabelSize * unit, Weight::regular, bar.width());
+  drawing.shapes.push_back(label({bar.left, room.top + 0.95 * style::kLabelSize * unit}, axis.label, size));
+  draw_bar(drawing, bar, colours.map);
+  draw_bar_ends(drawing, bar, colours.map, axis.range, ranges.values);
+  add_frame(drawing, bar, {style::kInk, 2 * unit, {}, Cap::butt});
+  draw_bar_ticks(drawing, bar, axis, unit);
+  return bar.bottom + (22 + 0.9 * style::kTickSize) * unit;
+}
 
 ExperimentTexts experiment_texts(const Frame& frame) {
   if (frame.experiment == "brazilian")
@@ -225,7 +222,9 @@ double draw_key(Drawing& drawing, const Frame& frame, const PictureOptions& opti
   if (options.field == Field::contacts)
     return draw_force_key(drawing, frame, force_scale(frame, options, view, unit), room, unit);
   if (options.field == Field::fragments) return draw_fragment_key(drawing, frame, room, unit);
-  return draw_colour_bar(drawing, frame, options, room, unit);
+  const std::vector<double> values = field_values(frame, options.field);
+  const Range shown = options.value_range.value_or(field_range(options.field, values));
+  return draw_colour_bar(drawing, *field_colours(options.field), {shown, range_of(values)}, room, unit);
 }
 
 namespace {

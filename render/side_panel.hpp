@@ -13,6 +13,18 @@ struct ExperimentTexts {
 };
 ExperimentTexts experiment_texts(const Frame& frame);
 
+/// A line as cracks of this mode are drawn.
+void draw_crack_swatch(Drawing& drawing, CrackMode mode, Vec2 a, Vec2 b, double unit);
+
+/// What a colour bar shows, and what there is: pointed ends say that there are values beyond.
+struct ShownRanges {
+  Range shown, values;
+};
+
+/// Label, bar and ticks from the top of `room`; returns where they end (pixels).
+double draw_colour_bar(Drawing& drawing, const FieldColours& colours, const ShownRanges& ranges, const Box& room,
+                       double unit);
+
 /// Colour bar or legend from the top of `room`; returns where it ends (pixels).
 double draw_key(Drawing& drawing, const Frame& frame, const PictureOptions& options, const View& view, const Box& room,
                 double unit);

@@ -51,6 +51,19 @@ struct RenderOptions {
 
 int render_command(const RenderOptions& options);
 
+struct CompareOptions {
+  std::vector<std::filesystem::path> run_dirs;
+  std::optional<std::filesystem::path> montage;  ///< One run through time, in place of run_dirs.
+  std::size_t frames = 8;                        ///< Of a montage.
+  std::string align;                             ///< "displacement", "strain", "peak"; empty: chosen by the experiment.
+  std::optional<double> at;
+  std::string field = "cracks";
+  std::optional<std::filesystem::path> out, html;
+};
+
+/// Draws runs side by side, or one through time, writes tables and page, and prints table and paths.
+int compare_command(const CompareOptions& options);
+
 /// Writes report.html of a run's or a calibration's folder anew, with its plots, and prints its path.
 int report_command(const std::filesystem::path& folder);
 

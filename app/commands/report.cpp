@@ -3,6 +3,7 @@
 #include "app/commands/commands.hpp"
 #include "app/report/calibration_report.hpp"
 #include "app/report/run_report.hpp"
+#include "app/report/runs_index.hpp"
 #include "app/run_plots.hpp"
 #include "core/base/error.hpp"
 #include "core/config/read_config.hpp"
@@ -21,19 +22,24 @@ std::filesystem::path draw_run(const std::filesystem::path& root) {
   return write_run_report(root);
 }
 
+std::filesystem::path draw_report(const std::filesystem::path& folder) {
+  if (is_calibration_folder(folder)) return write_calibration_report(folder);
+  if (is_run_folder(folder)) return draw_run(folder);
+  if (holds_results(folder)) return write_runs_index(folder);
+  throw Error(
+      ErrorKind::config,
+      {{folder.string(), "holds neither calibration.json nor a run nor folders of such, so no report can be made of it",
+        "", "the folder of a run or of a calibration, or a folder that holds several",
+        "`asperity compare` writes the pages of comparisons; reports of confrontations do not exist yet"}});
+}
+
 }  // namespace
 
 int report_command(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder))
     throw Error(ErrorKind::config, {{folder.string(), "is no folder", "",
                                      "a folder that `asperity run` or `asperity calibrate` has written", ""}});
-  const bool calibration = is_calibration_folder(folder);
-  if (!calibration && !is_run_folder(folder))
-    throw Error(ErrorKind::config,
-                {{folder.string(), "holds neither calibration.json nor a run, so no report can be made of it", "",
-                  "the folder of a run or of a calibration",
-                  "reports of comparisons and confrontations do not exist yet"}});
-  std::cout << (calibration ? write_calibration_report(folder) : draw_run(folder)).string() << std::endl;
+  std::cout << draw_report(folder).string() << std::endl;
   return 0;
 }
 

@@ -29,20 +29,6 @@ class OptionalDocument {
 
 CsvData table_or_empty(const fs::path& path) { return fs::exists(path) ? read_csv(path) : parse_csv("time_s\n", path); }
 
-std::string experiment_title(ExperimentType type) {
-  switch (type) {
-    case ExperimentType::uniaxial:
-      return "Uniaxial compression";
-    case ExperimentType::triaxial:
-      return "Triaxial compression";
-    case ExperimentType::brazilian:
-      return "Brazilian disc";
-    case ExperimentType::direct_shear:
-      return "Direct shear of a joint";
-  }
-  return "";
-}
-
 html::Markup subtitle(const RunContext& c) {
   const Value& m = c.manifest;
   const std::string changed = m["dirty"].truth() ? " with changed files" : "";
@@ -64,6 +50,20 @@ std::vector<html::Section> sections(const RunContext& context) {
 }
 
 }  // namespace
+
+std::string experiment_title(ExperimentType type) {
+  switch (type) {
+    case ExperimentType::uniaxial:
+      return "Uniaxial compression";
+    case ExperimentType::triaxial:
+      return "Triaxial compression";
+    case ExperimentType::brazilian:
+      return "Brazilian disc";
+    case ExperimentType::direct_shear:
+      return "Direct shear of a joint";
+  }
+  return "";
+}
 
 bool is_run_folder(const fs::path& folder) {
   return fs::exists(folder / "manifest.json") && fs::exists(folder / "config.effective.json");

@@ -1,7 +1,13 @@
 #pragma once
 #include <filesystem>
+#include <string>
+
+#include "core/config/run_config.hpp"
 
 namespace asperity::app {
+
+/// How an experiment is called on a page.
+std::string experiment_title(ExperimentType type);
 
 /// Whether the folder holds a run.
 bool is_run_folder(const std::filesystem::path& folder);

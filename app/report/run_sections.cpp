@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report/mechanism_words.hpp"
 #include "app/report/quantities.hpp"
 #include "app/report/run_parts.hpp"
-#include "core/config/mechanism_declaration.hpp"
-#include "core/config/schema_lookup.hpp"
 
 namespace asperity::app {
 namespace {
@@ -82,21 +81,9 @@ Markup file_link(const RunContext& context, const char* name) {
   return std::filesystem::exists(context.folder / name) ? html::link(name, name) : Markup(name);
 }
 
-/// "platen_friction (friction_coefficient 0.3)".
-std::string mechanism_words(const MechanismConfig& entry) {
-  std::string values;
-  for (const auto& [key, value] : mechanism_values(*find_mechanism(entry.type), entry)) {
-    values += (values.empty() ? "" : ", ") + key + " " + number_text(value);
-  }
-  return entry.type + " (" + values + ")";
-}
-
 /// What the run adds to the base model: nothing on the page can be read without it.
 std::vector<Markup> mechanism_notice(const RunConfig& config) {
-  std::string entries;
-  for (const MechanismConfig& entry : config.mechanisms) {
-    if (!is_off(entry)) entries += (entries.empty() ? "" : "; ") + mechanism_words(entry);
-  }
+  const std::string entries = mechanism_words(config);
   if (entries.empty()) return {};
   return {html::notice(html::NoticeKind::information, "Not the base model: this run has " + entries + ".")};
 }

@@ -50,6 +50,11 @@ std::string head_html(const Page& page) {
       escaped(page.title), style_sheet());
 }
 
+/// One section needs no list of its sections.
+std::string contents_html(const Page& page, const std::string& items) {
+  return page.sections.size() < 2 ? "" : "<nav aria-label=\"Contents\">\n<ol>\n" + items + "</ol>\n</nav>\n";
+}
+
 std::string script_html(std::string_view script) {
   return script.empty() ? "" : fmt::format("<script>\n{}</script>\n", script);
 }
@@ -64,7 +69,7 @@ std::string document(const Page& page) {
   return head_html(page) +
          fmt::format("<body>\n<header>\n<h1>{}</h1>\n<p class=\"subtitle\">{}</p>\n</header>\n", escaped(page.title),
                      page.subtitle.html()) +
-         lead + "<nav aria-label=\"Contents\">\n<ol>\n" + contents + "</ol>\n</nav>\n<main>\n" + body +
+         lead + contents_html(page, contents) + "<main>\n" + body +
          "</main>\n<footer>" + page.foot.html() + "</footer>\n" + script_html(page.script) + "</body>\n</html>\n";
 }
 
@@ -143,6 +148,18 @@ button { font: inherit; color: var(--ink); background: var(--paper); border: 1px
 .viewed .guide { stroke: var(--bad); stroke-width: 1.2; stroke-dasharray: 5 4; }
 .viewed .present { fill: var(--bad); stroke: var(--paper); stroke-width: 2; }
 @media (max-width: 52rem) { .viewed { grid-template-columns: minmax(0, 1fr); } }
+.filter input { font: inherit; color: var(--ink); background: var(--paper); border: 1px solid var(--soft); border-radius: .3rem;
+  padding: .2rem .6rem; width: 20rem; max-width: 100%; }
+.count { color: var(--soft); margin-left: 1rem; }
+.thumbnail { display: block; width: 8rem; }
+.thumbnail img { width: 8rem; height: 7.5rem; object-fit: cover; object-position: 4% 60%; }
+body:has(.sortable) { max-width: 100rem; }
+.sortable td, .sortable tbody th { vertical-align: middle; padding: .3rem .5rem; }
+.sortable td:last-child { white-space: nowrap; }
+thead button { font-weight: 600; text-align: inherit; border-color: transparent; background: none; padding: 0 .2rem; margin: 0 -.2rem; }
+thead button:hover { border-color: var(--soft); }
+[aria-sort] button::after { content: " \25B2"; font-size: .7em; }
+[aria-sort=descending] button::after { content: " \25BC"; }
 dt { font-weight: 600; margin-top: .9rem; }
 dd { margin: .15rem 0 0 1.5rem; }
 footer { margin-top: 4rem; padding-top: 1rem; border-top: 1px solid var(--line); color: var(--soft); font-size: .9rem; }
