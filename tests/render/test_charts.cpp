@@ -172,7 +172,7 @@ TEST_CASE("Every marker shape is drawn in its colour") {
 }
 
 TEST_CASE("Names of points stay clear of lines where there is room") {
-  Chart chart{"", "x [–]", "y [–]", {}, {}, Range{0, 2}, Range{0, 2}};
+  Chart chart{"", "x [–]", "y [–]", {}, Range{0, 2}, Range{0, 2}, {}};
   // A level line through the point: beside it, where a name stands first, it would lie on the line.
   chart.layers.emplace_back(LineLayer{"line", {0, 2}, {1, 1}, {style::kBlue, 4, {}, Cap::butt}});
   chart.layers.emplace_back(PointLayer{"", {1}, {1}, {MarkerShape::ring, style::kInk, 7}, {}, {}, {"peak"}});
@@ -190,7 +190,7 @@ TEST_CASE("Names of points stay clear of lines where there is room") {
 }
 
 TEST_CASE("Arrowheads point the way a line goes") {
-  Chart chart{"", "x [–]", "y [–]", {}, {}, Range{0, 2}, Range{0, 2}};
+  Chart chart{"", "x [–]", "y [–]", {}, Range{0, 2}, Range{0, 2}, {}};
   chart.layers.emplace_back(
       LineLayer{"line", {0.5, 1.5, 0.5}, {1, 1, 1}, {style::kGreen, 4, {}, Cap::butt}, 0, {1, 2}});
   std::vector<Triangle> heads;
@@ -202,7 +202,7 @@ TEST_CASE("Arrowheads point the way a line goes") {
 }
 
 TEST_CASE("Ticks are fewer where their labels would touch") {
-  Chart chart{"", "slip [mm]", "y [–]", {}, {}, Range{0, 0.0244}, Range{0, 1}};
+  Chart chart{"", "slip [mm]", "y [–]", {}, Range{0, 0.0244}, Range{0, 1}, {}};
   chart.layers.emplace_back(LineLayer{"line", {0, 0.0244}, {0, 1}, {style::kBlue, 4, {}, Cap::butt}});
   ChartFigure figure = figure_of({chart, chart}, 2);
   figure.width = 2000;
