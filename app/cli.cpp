@@ -85,6 +85,20 @@ void add_derive(CLI::App& cli, Action& action) {
   command->callback([=, &action] { action = [=] { return derive_command(*options); }; });
 }
 
+void add_law(CLI::App& cli, Action& action) {
+  auto options = std::make_shared<LawOptions>();
+  CLI::App* command = cli.add_subcommand(
+      "law", "Draws the contact law of a configuration: tension, shear under pressure, strength, with unloading");
+  command->add_option("config", options->config, "Run configuration (JSON)")->required();
+  add_overrides(*command, options->overrides);
+  command->add_option("--out", options->out, "Folder for PNG, SVG and CSV; default outputs/<config name>_law/");
+  command->footer(
+      "Examples:\n  asperity law configs/paper/brazilian.json\n"
+      "  asperity law configs/paper/uniaxial.json --set '/mechanisms=[{\"type\":\"curved_envelope\"}]' --out "
+      "outputs/curved");
+  command->callback([=, &action] { action = [=] { return law_command(*options); }; });
+}
+
 void add_render(CLI::App& cli, Action& action) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = cli.add_subcommand("render", "Draws a finished run again, from its VTU files alone");
@@ -293,8 +307,8 @@ int run_command_line(int argc, char** argv) {
       "data, "
       "4 numerical, 5 output, 6 outside tolerance, 130 interrupted with a checkpoint.");
   Action action;
-  for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_render, add_compare, add_report,
-                         add_audit, add_campaign, add_calibrate, add_confront, add_features, add_mechanisms,
+  for (const auto add : {add_run, add_resume, add_validate, add_schema, add_derive, add_law, add_render, add_compare,
+                         add_report, add_audit, add_campaign, add_calibrate, add_confront, add_features, add_mechanisms,
                          add_gallery, add_acceleration, add_bench, add_info}) {
     add(cli, action);
   }

@@ -9,8 +9,10 @@
 namespace asperity::render {
 namespace {
 
-constexpr double kWhisker = 9;     // half the end of an error bar, pixels
-constexpr double kErrorWidth = 3;  // pixels
+constexpr double kWhisker = 9;                             // half the end of an error bar, pixels
+constexpr double kErrorWidth = 3;                          // pixels
+constexpr double kArrowWay = 12;                           // of a line, over which its direction is taken, pixels
+constexpr double kArrowLength = 5, kArrowHalfWidth = 2.4;  // of the line's width
 
 /// Keeps the part of [t0, t1] where p + t q >= 0; false if none is left.
 bool keep_positive(double p, double q, double& t0, double& t1) {
@@ -33,17 +35,24 @@ bool cut(Vec2& a, Vec2& b, const Box& box) {
   return true;
 }
 
-/// The finite runs of a line, in pixels.
-std::vector<std::vector<Vec2>> finite_runs(const PlotArea& area, const std::vector<double>& x,
-                                           const std::vector<double>& y) {
-  std::vector<std::vector<Vec2>> runs(1);
-  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
-    if (std::isfinite(x[i]) && std::isfinite(y[i]))
-      runs.back().push_back(area.place(x[i], y[i]));
-    else if (!runs.back().empty())
-      runs.emplace_back();
+/// The way a line comes to its point `at` from the last point that is far enough away; none at its beginning.
+Vec2 direction_at(const PlotArea& area, const LineLayer& layer, std::size_t at) {
+  const Vec2 tip = area.place(layer.x[at], layer.y[at]);
+  for (std::size_t i = at; i-- > 0;) {
+    const Vec2 way = tip - area.place(layer.x[i], layer.y[i]);
+    if (norm(way) >= kArrowWay) return (1.0 / norm(way)) * way;
   }
-  return runs;
+  return {};
+}
+
+void draw_arrows(Drawing& drawing, const PlotArea& area, const LineLayer& layer) {
+  for (const std::size_t at : layer.arrows) {
+    const Vec2 tip = area.place(layer.x[at], layer.y[at]), way = direction_at(area, layer, at);
+    if (!near_box(tip, area.box)) continue;
+    const Vec2 back = tip - (kArrowLength * layer.stroke.width) * way;
+    const Vec2 across = (kArrowHalfWidth * layer.stroke.width) * Vec2{-way.y, way.x};
+    drawing.shapes.push_back(Triangle{{tip, back + across, back - across}, layer.stroke.colour});
+  }
 }
 
 void draw_line_layer(Drawing& drawing, const PlotArea& area, const LineLayer& layer) {
@@ -53,6 +62,7 @@ void draw_line_layer(Drawing& drawing, const PlotArea& area, const LineLayer& la
       if (layer.casing > 0) drawing.shapes.push_back(Polyline{part, casing});
       drawing.shapes.push_back(Polyline{part, layer.stroke});
     }
+  draw_arrows(drawing, area, layer);
 }
 
 void draw_band_layer(Drawing& drawing, const PlotArea& area, const BandLayer& layer) {
@@ -119,6 +129,18 @@ struct LayerPainter {
 };
 
 }  // namespace
+
+std::vector<std::vector<Vec2>> finite_runs(const PlotArea& area, const std::vector<double>& x,
+                                           const std::vector<double>& y) {
+  std::vector<std::vector<Vec2>> runs(1);
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    if (std::isfinite(x[i]) && std::isfinite(y[i]))
+      runs.back().push_back(area.place(x[i], y[i]));
+    else if (!runs.back().empty())
+      runs.emplace_back();
+  }
+  return runs;
+}
 
 void draw_layer(Drawing& drawing, const PlotArea& area, const Layer& layer, Occupied& occupied) {
   std::visit(LayerPainter{drawing, area, occupied}, layer);

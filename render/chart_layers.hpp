@@ -4,8 +4,8 @@
 
 namespace asperity::render {
 
-/// Where a chart's texts and markers are, so that other texts keep clear of them, and the emphasised lines, of which
-/// the texts on other lines keep clear; pixels.
+/// Where a chart's texts and markers are, so that other texts keep clear of them; the emphasised lines, of which the
+/// texts on other lines keep clear; and all lines, of which points' names keep clear where they can; pixels.
 struct Occupied {
   /// A piece of a layer's line.
   struct Piece {
@@ -14,17 +14,24 @@ struct Occupied {
   };
   std::vector<Box> boxes;
   std::vector<Piece> lines;
+  std::vector<std::vector<Vec2>> curves;
   bool free(const Box& box) const;
+  bool free_of_curves(const Box& box) const;
   bool free_of_lines_but(const void* layer, const Box& box) const;
 };
 
 /// Notes where a layer's markers and emphasised lines will be.
 void reserve(const PlotArea& area, const Layer& layer, Occupied& occupied);
 
+/// The finite runs of a line, in pixels.
+std::vector<std::vector<Vec2>> finite_runs(const PlotArea& area, const std::vector<double>& x,
+                                           const std::vector<double>& y);
+
 /// Draws one layer inside the area; what lies beyond the frame is cut off.
 void draw_layer(Drawing& drawing, const PlotArea& area, const Layer& layer, Occupied& occupied);
 
-/// Draws the names of a layer's points, each at the first place around its point that is free.
+/// Draws the names of a layer's points, each at the first place around its point that is free, of lines too
+/// if there is such a place.
 void draw_names(Drawing& drawing, const PlotArea& area, const PointLayer& layer, Occupied& occupied);
 
 /// The colours between the levels of a field: one more than there are levels.

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kNameSize = 24;     // pixels
 constexpr double kNameGap = 6;       // between a point's marker and its name, pixels
+constexpr double kArrowRoom = 20;    // around an arrow's tip, pixels
 constexpr double kErrorRoom = 5;     // around an error bar, pixels
 constexpr double kCapHeight = 0.73;  // of DejaVu Sans, parts of the size
 
@@ -82,6 +83,11 @@ bool Occupied::free(const Box& box) const {
   return std::none_of(boxes.begin(), boxes.end(), [&](const Box& other) { return meet(box, other); });
 }
 
+bool Occupied::free_of_curves(const Box& box) const {
+  return std::all_of(curves.begin(), curves.end(),
+                     [&](const std::vector<Vec2>& curve) { return clipped(curve, box).empty(); });
+}
+
 bool Occupied::free_of_lines_but(const void* layer, const Box& box) const {
   return std::none_of(lines.begin(), lines.end(),
                       [&](const Piece& piece) { return piece.layer != layer && meet(box, piece.box); });
@@ -90,7 +96,12 @@ bool Occupied::free_of_lines_but(const void* layer, const Box& box) const {
 void reserve(const PlotArea& area, const Layer& layer, Occupied& occupied) {
   if (const auto* points = std::get_if<PointLayer>(&layer)) reserve_points(area, *points, occupied);
   if (const auto* box = std::get_if<BoxLayer>(&layer); box && box->edge) reserve_edges(area, *box, occupied);
-  if (const auto* line = std::get_if<LineLayer>(&layer); line && line->casing > 0) reserve_cased(area, *line, occupied);
+  if (const auto* line = std::get_if<LineLayer>(&layer)) {
+    if (line->casing > 0) reserve_cased(area, *line, occupied);
+    for (auto& run : finite_runs(area, line->x, line->y)) occupied.curves.push_back(std::move(run));
+    for (const std::size_t at : line->arrows)
+      occupied.boxes.push_back(around(area.place(line->x[at], line->y[at]), kArrowRoom, kArrowRoom));
+  }
   if (const auto* contour = std::get_if<ContourLayer>(&layer)) reserve_contour(area, *contour, occupied);
 }
 
@@ -98,13 +109,16 @@ void draw_names(Drawing& drawing, const PlotArea& area, const PointLayer& layer,
   for (std::size_t i = 0; i < std::min({layer.names.size(), layer.x.size(), layer.y.size()}); ++i) {
     const Vec2 at = area.place(layer.x[i], layer.y[i]);
     if (layer.names[i].empty() || !near_box(at, area.box)) continue;
-    for (const Text& text : places(at, layer.marker.radius, layer.names[i])) {
-      const Box box = text_box(text);
-      if (!within(box, area.box) || !occupied.free(box)) continue;
-      drawing.shapes.push_back(text);
-      occupied.boxes.push_back(box);
-      break;
-    }
+    const std::vector<Text> all = places(at, layer.marker.radius, layer.names[i]);
+    const auto free = [&](const Text& text) {
+      return within(text_box(text), area.box) && occupied.free(text_box(text));
+    };
+    auto text = std::find_if(all.begin(), all.end(),
+                             [&](const Text& t) { return free(t) && occupied.free_of_curves(text_box(t)); });
+    if (text == all.end()) text = std::find_if(all.begin(), all.end(), free);
+    if (text == all.end()) continue;
+    drawing.shapes.push_back(*text);
+    occupied.boxes.push_back(text_box(*text));
   }
 }
 

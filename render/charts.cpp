@@ -14,6 +14,7 @@ namespace asperity::render {
 namespace {
 
 constexpr double kMargin = 36, kBetween = 26, kHeadingGap = 12, kCaptionSize = 24, kCaptionLine = 34;  // pixels
+constexpr double kTickGap = 14;                     // between the labels of an axis, pixels
 constexpr double kTickRoom = 95, kTickRoomUp = 75;  // pixels of an axis that one tick may take
 
 /// Where a chart stands in the figure, what it needs around its frame, and its axes.
@@ -79,6 +80,16 @@ Axis category_axis(const Chart& chart) {
 
 int parts_for(double length, double room) { return std::clamp(static_cast<int>(length / room), 3, 9); }
 
+/// An axis of about `parts` ticks, or of fewer where their labels would not stand apart on so many pixels.
+Axis spaced_axis(const Range& range, const std::string& label, int parts, double length, double tick_size) {
+  for (;; --parts) {
+    Axis axis = make_axis(range, label, parts);
+    double needed = 0;
+    for (const Tick& tick : axis.ticks) needed += text_width(tick.label, tick_size) + kTickGap;
+    if (needed <= length || parts <= 2) return axis;
+  }
+}
+
 Cell cell_of(const ChartFigure& figure, std::size_t number, const AxesStyle& style) {
   const Chart& chart = figure.charts[number];
   const std::size_t columns = static_cast<std::size_t>(figure.columns);
@@ -86,10 +97,12 @@ Cell cell_of(const ChartFigure& figure, std::size_t number, const AxesStyle& sty
   Extents extents;
   for (const Layer& layer : chart.layers) std::visit(extents, layer);
   Cell cell{number / columns, number % columns, {}, {}, {}};
-  const int across = parts_for(0.75 * figure.width / figure.columns, kTickRoom);
+  const double length = 0.75 * figure.width / figure.columns;
+  const int across = parts_for(length, kTickRoom);
   const int up = parts_for(0.7 * figure.height / static_cast<double>(rows), kTickRoomUp);
   const Range x = chart.x_range.value_or(natural_range(chart, extents.x));
-  cell.x = chart.x_categories.empty() ? make_axis(x, chart.x_label, across) : category_axis(chart);
+  cell.x = chart.x_categories.empty() ? spaced_axis(x, chart.x_label, across, length, style.tick_size)
+                                      : category_axis(chart);
   cell.y = make_axis(chart.y_range.value_or(natural_range(chart, extents.y)), chart.y_label, up);
   cell.around = axes_margins(cell.x, cell.y, {}, style);
   if (!chart.heading.empty() || figure.letters == Letters::each)

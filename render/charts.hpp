@@ -14,12 +14,14 @@
 /// square brackets. A layer's label goes into the figure's legend, once for all charts; an empty one stays out.
 namespace asperity::render {
 
-/// A line; a value that is not finite breaks it. `casing` is the width of the white edge under it, in pixels.
+/// A line; a value that is not finite breaks it. `casing` is the width of the white edge under it, in pixels. At the
+/// points with the numbers `arrows`, heads show which way it goes.
 struct LineLayer {
   std::string label;
   std::vector<double> x, y;
   Stroke stroke;
   double casing = 0;
+  std::vector<std::size_t> arrows = {};
 };
 
 /// The area between two curves over the same ascending x.

@@ -43,6 +43,14 @@ struct DeriveOptions {
 
 int derive_command(const DeriveOptions& options);
 
+struct LawOptions {
+  std::filesystem::path config;
+  std::vector<std::string> overrides;
+  std::optional<std::filesystem::path> out;  ///< Unset: outputs/<config name>_law/.
+};
+
+int law_command(const LawOptions& options);
+
 struct RenderOptions {
   std::filesystem::path run_dir;
   std::vector<std::string> fields;  ///< Empty: those of the run's configuration.

@@ -44,6 +44,11 @@ RunConfig with_mechanisms(const RunConfig& config) {
   return result;
 }
 
+bool marks_contacts(std::string_view id) {
+  const auto found = library().find(id);
+  return found != library().end() && found->second.mark != nullptr;
+}
+
 void mark_contacts(const RunConfig& config, const Mesh& mesh, const Particles& particles, BondedContacts& contacts) {
   ContactMarks marks{std::vector<double>(contacts.size(), 1.0), std::vector<std::uint8_t>(contacts.size(), 0)};
   bool marked = false;

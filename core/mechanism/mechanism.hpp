@@ -59,6 +59,9 @@ struct Registered {
 /// mechanisms stays, for the record: do not apply it twice.
 RunConfig with_mechanisms(const RunConfig& config);
 
+/// Whether a mechanism of the library gives single contacts strengths of their own or opens them.
+bool marks_contacts(std::string_view id);
+
 /// Lets the mechanisms mark the contacts of a model: strengths and open contacts. No mark, no change.
 void mark_contacts(const RunConfig& config, const Mesh& mesh, const Particles& particles, BondedContacts& contacts);
 

@@ -170,3 +170,41 @@ TEST_CASE("Every marker shape is drawn in its colour") {
     CHECK(coloured);
   }
 }
+
+TEST_CASE("Names of points stay clear of lines where there is room") {
+  Chart chart{"", "x [–]", "y [–]", {}, Range{0, 2}, Range{0, 2}, {}};
+  // A level line through the point: beside it, where a name stands first, it would lie on the line.
+  chart.layers.emplace_back(LineLayer{"line", {0, 2}, {1, 1}, {style::kBlue, 4, {}, Cap::butt}});
+  chart.layers.emplace_back(PointLayer{"", {1}, {1}, {MarkerShape::ring, style::kInk, 7}, {}, {}, {"peak"}});
+  const Drawing drawing = draw_figure(figure_of({chart}, 1));
+  double line = 0;
+  for (const Shape& shape : drawing.shapes)
+    if (const auto* p = std::get_if<Polyline>(&shape); p && p->stroke.colour == style::kBlue)
+      line = p->points.back().y;  // the last one is the chart's, the first the legend's
+  for (const Text& text : test::texts_of(drawing)) {
+    if (text.text != "peak") continue;
+    const Box box = text_box(text);
+    CHECK((box.bottom < line || box.top > line));
+  }
+  CHECK(test::has_text(drawing, "peak"));
+}
+
+TEST_CASE("Arrowheads point the way a line goes") {
+  Chart chart{"", "x [–]", "y [–]", {}, Range{0, 2}, Range{0, 2}, {}};
+  chart.layers.emplace_back(
+      LineLayer{"line", {0.5, 1.5, 0.5}, {1, 1, 1}, {style::kGreen, 4, {}, Cap::butt}, 0, {1, 2}});
+  std::vector<Triangle> heads;
+  for (const Shape& shape : draw_figure(figure_of({chart}, 1)).shapes)
+    if (const auto* t = std::get_if<Triangle>(&shape); t && t->fill == style::kGreen) heads.push_back(*t);
+  REQUIRE(heads.size() == 2);
+  CHECK(heads[0].corners[0].x > heads[0].corners[1].x);  // to the right, then back
+  CHECK(heads[1].corners[0].x < heads[1].corners[1].x);
+}
+
+TEST_CASE("Ticks are fewer where their labels would touch") {
+  Chart chart{"", "slip [mm]", "y [–]", {}, Range{0, 0.0244}, Range{0, 1}, {}};
+  chart.layers.emplace_back(LineLayer{"line", {0, 0.0244}, {0, 1}, {style::kBlue, 4, {}, Cap::butt}});
+  ChartFigure figure = figure_of({chart, chart}, 2);
+  figure.width = 2000;
+  check_texts(draw_figure(figure), kSmallestText);
+}
