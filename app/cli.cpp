@@ -96,12 +96,22 @@ void add_render(CLI::App& cli, Action& action) {
 }
 
 void add_report(CLI::App& cli, Action& action) {
-  auto folder = std::make_shared<std::filesystem::path>();
-  CLI::App* command =
-      cli.add_subcommand("report", "Writes the report page of a run's or a calibration's folder anew, with its plots");
-  command->add_option("dir", *folder, "Folder of a run, or with calibration.json")->required();
-  command->footer("Examples:\n  asperity report outputs/quickstart\n  asperity report outputs/plaster");
-  command->callback([=, &action] { action = [=] { return report_command(*folder); }; });
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = cli.add_subcommand(
+      "report", "Writes the report page of a run's, a calibration's or a confrontation's folder anew, with its plots");
+  auto* folder = command->add_option("dir", options->folder, "Folder of a run, of a calibration or a confrontation");
+  auto* confusion = command->add_option("--confusion", options->confusion,
+                                        "Instead: the picture of a confusion matrix (JSON: rows, columns, counts)");
+  confusion->excludes(folder);
+  command->add_option("--out", options->out, "Its picture, .png or .svg; default: the JSON file's name with .png")
+      ->needs(confusion);
+  command->footer(
+      "Examples:\n  asperity report outputs/quickstart\n  asperity report outputs/plaster\n"
+      "  asperity report --confusion outputs/hidden/confusion.json --out outputs/hidden/confusion.png");
+  command->callback([=, &action] {
+    if (options->folder.empty() && !options->confusion) throw CLI::RequiredError("dir");
+    action = [=] { return report_command(*options); };
+  });
 }
 
 void add_audit(CLI::App& cli, Action& action) {
@@ -212,6 +222,7 @@ void add_confront(CLI::App& cli, Action& action) {
                    "Share of the runs taken from the bank that is computed again; exit code 6 on a difference")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--check-seed", options->check_seed, "Which ones")->capture_default_str();
+  command->add_flag("--no-report{false}", options->report, "Write the verdict only: no runs to be shown, no page");
   add_campaign_options(*command, options->session);
   command->footer(
       "Examples:\n  asperity confront configs/confrontation/zigong.json\n"

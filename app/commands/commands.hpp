@@ -51,8 +51,15 @@ struct RenderOptions {
 
 int render_command(const RenderOptions& options);
 
-/// Writes report.html of a run's or a calibration's folder anew, with its plots, and prints its path.
-int report_command(const std::filesystem::path& folder);
+struct ReportOptions {
+  std::filesystem::path folder;                    ///< Of a run, a calibration or a confrontation.
+  std::optional<std::filesystem::path> confusion;  ///< Instead: a confusion matrix (JSON) ...
+  std::optional<std::filesystem::path> out;        ///< ... and its picture, .png or .svg.
+};
+
+/// Writes report.html of a run's, a calibration's or a confrontation's folder anew, with its plots, or the picture of a
+/// confusion matrix, and prints its path.
+int report_command(const ReportOptions& options);
 
 struct AuditOptions {
   int seeds = 3;
@@ -107,6 +114,7 @@ struct ConfrontCommandOptions {
   std::optional<std::filesystem::path> write_bank;
   double check_share = 0;  ///< Of the runs taken from the bank, computed again and compared.
   std::uint64_t check_seed = 1;
+  bool report = true;  ///< False: neither the runs that are shown nor the page.
   CampaignSessionOptions session;
 };
 
