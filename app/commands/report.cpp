@@ -1,6 +1,8 @@
 #include <iostream>
 
 #include "app/commands/commands.hpp"
+#include "app/confrontation/confrontation_report.hpp"
+#include "app/confrontation/confusion_picture.hpp"
 #include "app/report/calibration_report.hpp"
 #include "app/report/run_report.hpp"
 #include "app/run_plots.hpp"
@@ -21,19 +23,29 @@ std::filesystem::path draw_run(const std::filesystem::path& root) {
   return write_run_report(root);
 }
 
+std::filesystem::path draw_folder(const std::filesystem::path& folder) {
+  if (is_calibration_folder(folder)) return write_calibration_report(folder);
+  if (is_confrontation_folder(folder)) return write_confrontation_report(folder);
+  if (is_run_folder(folder)) return draw_run(folder);
+  throw Error(
+      ErrorKind::config,
+      {{folder.string(), "holds neither calibration.json, verdict.json nor a run, so no report can be made of it", "",
+        "the folder of a run, of a calibration or of a confrontation", ""}});
+}
+
 }  // namespace
 
-int report_command(const std::filesystem::path& folder) {
+int report_command(const ReportOptions& options) {
+  if (options.confusion) {
+    std::cout << draw_confusion(*options.confusion, options.out).string() << std::endl;
+    return 0;
+  }
+  const std::filesystem::path& folder = options.folder;
   if (!std::filesystem::is_directory(folder))
-    throw Error(ErrorKind::config, {{folder.string(), "is no folder", "",
-                                     "a folder that `asperity run` or `asperity calibrate` has written", ""}});
-  const bool calibration = is_calibration_folder(folder);
-  if (!calibration && !is_run_folder(folder))
     throw Error(ErrorKind::config,
-                {{folder.string(), "holds neither calibration.json nor a run, so no report can be made of it", "",
-                  "the folder of a run or of a calibration",
-                  "reports of comparisons and confrontations do not exist yet"}});
-  std::cout << (calibration ? write_calibration_report(folder) : draw_run(folder)).string() << std::endl;
+                {{folder.string(), "is no folder", "",
+                  "a folder that `asperity run`, `asperity calibrate` or `asperity confront` has written", ""}});
+  std::cout << draw_folder(folder).string() << std::endl;
   return 0;
 }
 
