@@ -111,12 +111,25 @@ void add_render(CLI::App& cli, Action& action) {
 }
 
 void add_report(CLI::App& cli, Action& action) {
-  auto folder = std::make_shared<std::filesystem::path>();
-  CLI::App* command = cli.add_subcommand(
-      "report", "Writes the page of a run's or a calibration's folder anew, with its plots, or an index of many runs");
-  command->add_option("dir", *folder, "Folder of a run, with calibration.json, or of several runs")->required();
-  command->footer("Examples:\n  asperity report outputs/quickstart\n  asperity report outputs");
-  command->callback([=, &action] { action = [=] { return report_command(*folder); }; });
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = cli.add_subcommand("report",
+                                         "Writes the page of a run's, a calibration's or a confrontation's folder "
+                                         "anew, with its plots, or an index of many "
+                                         "runs");
+  auto* folder = command->add_option("dir", options->folder,
+                                     "Folder of a run, a calibration or a confrontation, or of several runs");
+  auto* confusion = command->add_option("--confusion", options->confusion,
+                                        "Instead: the picture of a confusion matrix (JSON: rows, columns, counts)");
+  confusion->excludes(folder);
+  command->add_option("--out", options->out, "Its picture, .png or .svg; default: the JSON file's name with .png")
+      ->needs(confusion);
+  command->footer(
+      "Examples:\n  asperity report outputs/quickstart\n  asperity report outputs\n"
+      "  asperity report --confusion outputs/hidden/confusion.json --out outputs/hidden/confusion.png");
+  command->callback([=, &action] {
+    if (options->folder.empty() && !options->confusion) throw CLI::RequiredError("dir");
+    action = [=] { return report_command(*options); };
+  });
 }
 
 void add_audit(CLI::App& cli, Action& action) {
@@ -229,6 +242,7 @@ void add_confront(CLI::App& cli, Action& action) {
   command->add_flag("--next-tests", options->next_tests,
                     "Simulates further tests that would part several causes, also where linearise_at is reference");
   command->add_option("--check-seed", options->check_seed, "Which ones")->capture_default_str();
+  command->add_flag("--no-report{false}", options->report, "Write the verdict only: no runs to be shown, no page");
   add_campaign_options(*command, options->session);
   command->footer(
       "Examples:\n  asperity confront configs/confrontation/zigong.json\n"

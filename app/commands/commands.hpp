@@ -72,8 +72,15 @@ struct CompareOptions {
 /// Draws runs side by side, or one through time, writes tables and page, and prints table and paths.
 int compare_command(const CompareOptions& options);
 
-/// Writes report.html of a run's or a calibration's folder anew, with its plots, and prints its path.
-int report_command(const std::filesystem::path& folder);
+struct ReportOptions {
+  std::filesystem::path folder;                    ///< Of a run, a calibration, a confrontation, or several runs.
+  std::optional<std::filesystem::path> confusion;  ///< Instead: a confusion matrix (JSON) ...
+  std::optional<std::filesystem::path> out;        ///< ... and its picture, .png or .svg.
+};
+
+/// Writes report.html of a run's, a calibration's or a confrontation's folder anew, with its plots, or the picture of a
+/// confusion matrix, and prints its path.
+int report_command(const ReportOptions& options);
 
 struct AuditOptions {
   int seeds = 3;
@@ -129,6 +136,7 @@ struct ConfrontCommandOptions {
   double check_share = 0;  ///< Of the runs taken from the bank, computed again and compared.
   std::uint64_t check_seed = 1;
   bool next_tests = false;  ///< Also about the reference, where they are the only runs at a cause's own parameters.
+  bool report = true;       ///< False: neither the runs that are shown nor the page.
   CampaignSessionOptions session;
 };
 

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "app/commands/commands.hpp"
+#include "app/confrontation/confrontation_report.hpp"
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
 #include "core/base/atomic_file.hpp"
@@ -12,6 +13,7 @@
 #include "core/confrontation/confrontation_task.hpp"
 #include "core/confrontation/feature_source.hpp"
 #include "core/confrontation/next_tests.hpp"
+#include "core/confrontation/shown_json.hpp"
 #include "core/confrontation/virtual_test.hpp"
 #include "core/output/manifest.hpp"
 #include "core/output/run_folder.hpp"
@@ -48,6 +50,22 @@ void print_verdict(const Confrontation& confrontation, const FeatureCost& cost) 
             << cost.computed << " computed, " << cost.failed << " failed, " << cost.checked << " checked\n";
 }
 
+void require_end(const std::vector<CampaignOutcome>& outcomes) {
+  const auto interrupted = [](const CampaignOutcome& o) { return o.status == RunStatus::interrupted; };
+  if (std::any_of(outcomes.begin(), outcomes.end(), interrupted)) throw CalibrationInterrupted{};
+}
+
+/// The runs that are shown, shown.json, and the page.
+void show(const ConfrontationConfig& config, const Confrontation& confrontation, const FeatureCost& cost,
+          const Simulator& simulate, const fs::path& out) {
+  std::vector<ShownRuns> shown = plan_shown_runs(config, confrontation);
+  const std::vector<CampaignOutcome> outcomes = simulate("runs that are shown", listed_runs(shown));
+  require_end(outcomes);
+  take_outcomes(shown, outcomes);
+  write_file_atomically(out / "shown.json", shown_json(config, confrontation, shown, cost).dump(1) + "\n");
+  write_confrontation_report(out);
+}
+
 void carry_through(const ConfrontCommandOptions& options, const ConfrontationConfig& config, const fs::path& out) {
   const Simulator simulate = [&](const std::string& stage, const std::vector<CampaignRun>& runs) {
     std::vector<CampaignOutcome> outcomes =
@@ -72,6 +90,7 @@ void carry_through(const ConfrontCommandOptions& options, const ConfrontationCon
   write_file_atomically(out / "verdict.json", verdict_json(confrontation, context).dump(2) + "\n");
   if (options.write_bank) write_bank(*options.write_bank, source.gathered(golden_runs(config)));
   print_verdict(confrontation, source.cost());
+  if (options.report) show(config, confrontation, source.cost(), simulate, out);
 }
 
 }  // namespace

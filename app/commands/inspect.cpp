@@ -41,7 +41,8 @@ void validate_calibration(const std::filesystem::path& path, const std::vector<s
 }
 
 void validate_measured(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  if (!overrides.empty()) throw Error(ErrorKind::usage, {{"--set", "does not apply to measured data", overrides.front(), "", ""}});
+  if (!overrides.empty())
+    throw Error(ErrorKind::usage, {{"--set", "does not apply to measured data", overrides.front(), "", ""}});
   const MeasuredData data = read_measured_data(path);
   std::size_t specimens = 0;
   for (const MeasuredTest& test : data.tests) specimens += specimens_of(test).size();

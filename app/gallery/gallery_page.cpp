@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/confrontation/words.hpp"
 #include "app/gallery/gallery_pictures.hpp"
 #include "app/report/report_parts.hpp"
 #include "core/base/atomic_file.hpp"
@@ -45,22 +46,9 @@ std::string failure_of(const GalleryRuns& part) {
   return "";
 }
 
-/// "peak_axial_stress_mpa": "peak axial stress": the unit is told apart.
-std::string words(std::string_view name) {
-  std::string text(name);
-  for (const std::string_view unit : {"_n_per_mm", "_mpa_per_mm", "_mpa", "_gpa", "_mm", "_deg"}) {
-    if (text.ends_with(unit)) {
-      text.resize(text.size() - unit.size());
-      break;
-    }
-  }
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
-}
-
 /// "peak stress -12 %": in shares where the base has a size, else in the feature's unit.
 std::string change_text(const FeatureChange& c) {
-  const std::string name = words(c.kind->name);
+  const std::string name = feature_words(c.kind->name);
   if (std::abs(c.base) > std::abs(c.change) * 0.05)
     return fmt::format("{} {:+.0f} %", name, 100.0 * c.change / std::abs(c.base));
   return fmt::format("{} {:+.3g}{}", name, c.change, c.kind->unit == "1" ? "" : " " + std::string(c.kind->unit));
@@ -82,7 +70,8 @@ html::Markup overview_table(const Gallery& gallery) {
   html::Table table{"The two changes of each experiment that stand out most from the scatter of the meshes.", {}, {}};
   table.columns.push_back({"Mechanism", {}, html::ColumnKind::head});
   const std::vector<ExperimentType> types = experiments_of(gallery);
-  for (const ExperimentType type : types) table.columns.push_back({words(word(type)), {}, html::ColumnKind::prose});
+  for (const ExperimentType type : types)
+    table.columns.push_back({feature_words(word(type)), {}, html::ColumnKind::prose});
   for (const MechanismDeclaration& m : gallery.mechanisms) {
     html::Row row{{m.id}};
     for (const ExperimentType type : types) row.cells.push_back(brief(gallery, m, type));
@@ -92,7 +81,7 @@ html::Markup overview_table(const Gallery& gallery) {
 }
 
 html::Markup fingerprint_table(const GalleryRuns& part) {
-  html::Table table{words(word(part.experiment)) + ": what changes most against the meshes' scatter.",
+  html::Table table{feature_words(word(part.experiment)) + ": what changes most against the meshes' scatter.",
                     {{"Feature", {}, html::ColumnKind::head},
                      {"Unit", {}, html::ColumnKind::text},
                      {"Without", {}},
@@ -102,13 +91,13 @@ html::Markup fingerprint_table(const GalleryRuns& part) {
                      {"Meshes", {}}},
                     {}};
   for (const FeatureChange& c : telling_changes(part.changes, kTold, kLeast)) {
-    table.rows.push_back({{words(c.kind->name), std::string(c.kind->unit), html::with_scatter(c.base, c.base_sd),
-                           html::with_scatter(c.change, c.change_error),
+    table.rows.push_back({{feature_words(c.kind->name), std::string(c.kind->unit),
+                           html::with_scatter(c.base, c.base_sd), html::with_scatter(c.change, c.change_error),
                            c.base != 0.0 ? html::fixed(100.0 * c.change / std::abs(c.base), 1) : html::Markup("–"),
                            html::fixed(c.scatter_ratio, 1), std::to_string(c.meshes)}});
   }
   if (table.rows.empty())
-    return html::paragraph(words(word(part.experiment)) + ": nothing beyond the meshes' scatter.");
+    return html::paragraph(feature_words(word(part.experiment)) + ": nothing beyond the meshes' scatter.");
   return html::table(table);
 }
 
@@ -148,7 +137,7 @@ html::Section section_of(const Gallery& gallery, const MechanismDeclaration& m, 
     const std::string failure = failure_of(part);
     if (!failure.empty())
       section.parts.push_back(
-          html::notice(html::NoticeKind::warning, words(word(part.experiment)) + ": a run failed: " + failure));
+          html::notice(html::NoticeKind::warning, feature_words(word(part.experiment)) + ": a run failed: " + failure));
   }
   if (const auto curves = draw_curves(gallery, m, folder)) {
     fs::path svg = curves->path;
@@ -196,7 +185,7 @@ std::string markdown_of(const Gallery& gallery) {
   const std::vector<ExperimentType> types = experiments_of(gallery);
   std::string text = "| mechanism |", rule = "|---|";
   for (const ExperimentType type : types) {
-    text += " " + words(word(type)) + " |";
+    text += " " + feature_words(word(type)) + " |";
     rule += "---|";
   }
   text += "\n" + rule + "\n";

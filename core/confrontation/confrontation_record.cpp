@@ -6,8 +6,7 @@
 #include "core/base/sha256.hpp"
 #include "core/config/write_config.hpp"
 #include "core/confrontation/confrontation_task.hpp"
-#include "core/confrontation/feature_rules.hpp"
-#include "core/confrontation/virtual_test.hpp"
+#include "core/confrontation/final_run.hpp"
 
 /// What a confrontation leaves on record: hashes, parameters, the extended configuration.
 namespace asperity {
@@ -73,33 +72,6 @@ ordered_json data_numbers(const MeasuredData& data) {
   return json;
 }
 
-/// The best extension's parameters in steps about the reference, or the base's.
-VectorXd final_coded(const Confrontation& c) {
-  return c.conclusion.kept.empty() ? VectorXd(c.centre + c.base.coded)
-                                   : VectorXd(c.centre + c.conclusion.kept.front().coded);
-}
-
-std::vector<MechanismConfig> final_mechanisms(const Confrontation& c, const RunConfig& run) {
-  std::vector<MechanismConfig> mechanisms;
-  if (c.conclusion.kept.empty()) return mechanisms;
-  const HypothesisFit& fit = c.conclusion.kept.front();
-  for (std::size_t i = 0; i < fit.causes.size(); ++i) {
-    const Candidate& candidate = c.evidence.candidates[static_cast<std::size_t>(fit.causes[i])];
-    const double amplitude = std::clamp(fit.amplitude(static_cast<Index>(i)), -candidate.most, candidate.most);
-    if (can_act(run, candidate.id)) mechanisms.push_back({candidate.id, amplitude, {}});
-  }
-  return mechanisms;
-}
-
-std::vector<double> within_limits(const ConfrontationConfig& config, std::vector<double> theta) {
-  for (std::size_t p = 0; p < theta.size(); ++p) {
-    const ConfrontationParameter& parameter = config.parameters[p];
-    theta[p] = std::clamp(theta[p], theta_of(parameter.transform, parameter.lower),
-                          theta_of(parameter.transform, parameter.upper));
-  }
-  return theta;
-}
-
 }  // namespace
 
 VerdictContext verdict_context(const ConfrontationConfig& config, const ConfrontationTask& task,
@@ -135,14 +107,13 @@ VerdictContext verdict_context(const ConfrontationConfig& config, const Confront
 
 std::string write_extended_configs(const ConfrontationConfig& config, const Confrontation& confrontation,
                                    const fs::path& folder) {
-  const std::vector<double> theta = within_limits(config, theta_at(config, final_coded(confrontation)));
   std::error_code error;
   fs::create_directories(folder / "configs", error);
   if (error) throw output_error(folder / "configs", "cannot be created", error.value());
   std::string first;
   for (const MeasuredTest& test : config.measured.tests) {
-    RunConfig run = virtual_test(config, test, VirtualOutput::as_base);
-    run = configured(run, config.parameters, theta, final_mechanisms(confrontation, run), config.meshes.first_seed);
+    RunConfig run = final_run(config, confrontation, test, FinalModel::extension, VirtualOutput::as_base,
+                              config.meshes.first_seed);
     run.name = config.name + "_" + test.id;
     const std::string path = "configs/" + run.name + ".json";
     write_file_atomically(folder / path, effective_json(run) + "\n");

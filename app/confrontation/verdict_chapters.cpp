@@ -1,0 +1,212 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/confrontation/confrontation_chapters.hpp"
+#include "app/confrontation/words.hpp"
+#include "core/measurement/features.hpp"
+
+namespace asperity::app {
+namespace {
+
+using html::ColumnKind;
+
+std::string misfit_words(const ConfrontationData& data) {
+  const Value gate = data.verdict["gate"];
+  return fmt::format(
+      "what calibration leaves has a squared length of {} over {} features; were nothing wrong, as much "
+      "would come {}, and as good an explanation by one mechanism {}",
+      figures(gate["misfit"].number()), data.slots.size(), repetitions(gate["p_misfit"].number()),
+      repetitions(gate["p_explained"].number()));
+}
+
+/// A cause with its strength, if it was refitted.
+std::string cause_words(const ConfrontationData& data, const std::string& id) {
+  for (const Value& single : data.verdict["candidates"].items()) {
+    if (single["id"].text() == id)
+      return mechanism_name(id) + ", " +
+             amplitude_words(id, single["amplitude"].number(), single["amplitude_error"].number());
+  }
+  return mechanism_name(id);
+}
+
+std::vector<std::string> causes_of(const ConfrontationData& data) {
+  std::vector<std::string> ids;
+  for (const Value& id : data.verdict["causes"].items()) ids.push_back(id.text());
+  return ids;
+}
+
+bool is_suspect(const ConfrontationData& data, const std::string& id) {
+  const ShownCandidate* candidate = find_candidate(data, id);
+  return candidate && candidate->suspect;
+}
+
+/// The best kept pair of a verdict of two causes.
+std::string pair_words(const ConfrontationData& data) {
+  for (const Value& pair : data.verdict["pairs"].items()) {
+    if (!pair["kept"].truth()) continue;
+    const std::vector<double> amplitudes = pair["amplitudes"].numbers(), errors = pair["amplitude_errors"].numbers();
+    std::vector<std::string> causes;
+    const std::vector<Value> ids = pair["ids"].items();
+    for (std::size_t i = 0; i < ids.size() && i < amplitudes.size() && i < errors.size(); ++i)
+      causes.push_back(mechanism_name(ids[i].text()) + ", " + amplitude_words(ids[i].text(), amplitudes[i], errors[i]));
+    return joined(causes);
+  }
+  std::vector<std::string> names;
+  for (const std::string& id : causes_of(data)) names.push_back(mechanism_name(id));
+  return joined(names);
+}
+
+std::vector<std::string> named_sentences(const ConfrontationData& data) {
+  std::vector<std::string> sentences;
+  const std::string status = data.verdict["status"].text();
+  const std::vector<std::string> causes = causes_of(data);
+  if (status == "two_causes") {
+    sentences.push_back("No single mechanism of the library explains it, these two together do: " + pair_words(data) +
+                        ".");
+    return sentences;
+  }
+  if (status == "indistinguishable") {
+    sentences.push_back(
+        fmt::format("{} mechanisms explain it; these tests cannot tell which one acts. Any of them may be the cause:",
+                    causes.size()));
+    for (const std::string& id : causes) sentences.push_back("Possible: " + cause_words(data, id) + ".");
+    return sentences;
+  }
+  for (const std::string& id : causes)
+    sentences.push_back("One mechanism of the library explains it, all others are refuted: " + cause_words(data, id) +
+                        ".");
+  return sentences;
+}
+
+Chapter titled(const std::string& title) { return {title, {}}; }
+
+void add_notes(const ConfrontationData& data, Chapter& chapter) {
+  std::vector<std::string> notes;
+  for (const Value& note : data.verdict["notes"].items()) notes.push_back(note.text());
+  if (!notes.empty()) chapter.blocks.emplace_back(Bullets{notes});
+}
+
+std::string tests_words(const ConfrontationData& data, bool kept_back) {
+  std::vector<std::string> ids;
+  for (const ShownTest& test : data.tests) {
+    if (test.kept_back == kept_back) ids.push_back(test.id);
+  }
+  return ids.empty() ? "none" : joined(ids);
+}
+
+void add_parameters(const ConfrontationData& data, Chapter& chapter) {
+  PlainTable table{"Microparameters of the base after calibration on the fitted tests.",
+                   {{"Parameter", "", ColumnKind::head},
+                    {"Value", "", ColumnKind::text},
+                    {"Unit", "", ColumnKind::text},
+                    {"Remark", "", ColumnKind::prose}},
+                   {}};
+  for (const Value& p : data.verdict["parameters"].items()) {
+    const double error = p["error"].number();
+    std::string remark = error > 0.0 ? "" : "not calibrated";
+    if (!p["determined"].truth()) remark = "these tests do not determine it: left at its reference";
+    if (p["at_limit"].truth()) remark = "at the end of what was allowed";
+    const std::string label = p["label"].text().empty() ? p["name"].text() : p["label"].text();
+    table.rows.push_back({{label, figures_with_error(p["value"].number(), error), p["unit"].text(), remark},
+                          p["at_limit"].truth() ? html::RowTone::bad : html::RowTone::plain});
+  }
+  if (!table.rows.empty()) chapter.blocks.emplace_back(std::move(table));
+}
+
+std::string assumed_sizes(const Value& assumed) {
+  std::vector<std::string> sizes;
+  for (const auto& [key, name] :
+       {std::pair{"width_mm", "width"}, {"height_mm", "height"}, {"diameter_mm", "diameter"}}) {
+    if (assumed[key].exists()) sizes.push_back(fmt::format("{} {} mm", name, figures(assumed[key].number(), 4)));
+  }
+  if (assumed["teeth"].count() > 0) sizes.push_back(fmt::format("a joint of {} teeth", assumed["teeth"].count()));
+  return joined(sizes);
+}
+
+}  // namespace
+
+std::string feature_with_unit(const ConfrontationData& data, const std::string& test, const std::string& feature) {
+  for (const ShownTest& t : data.tests) {
+    if (t.id != test) continue;
+    const FeatureKind* kind = find_feature_kind(t.experiment, feature);
+    if (kind && kind->unit != "1") return feature_words(feature) + " [" + std::string(kind->unit) + "]";
+  }
+  return feature_words(feature);
+}
+
+std::string causes_words(const Value& ids) {
+  std::string text;
+  for (const Value& id : ids.items()) text += (text.empty() ? "" : " + ") + id.text();
+  return text;
+}
+
+std::vector<Note> verdict_alarms(const ConfrontationData& data) {
+  std::vector<Note> notes;
+  for (const Value& alarm : data.verdict["gate"]["alarms"].items())
+    notes.push_back(
+        {html::NoticeKind::warning,
+         "Alarm: " + alarm.text() + ". Look for a fault in the data or in the scatter before anything else."});
+  for (const std::string& id : causes_of(data)) {
+    if (is_suspect(data, id))
+      notes.push_back({html::NoticeKind::warning,
+                       "The solver's own settings first: " + mechanism_name(id) +
+                           " is among the possible causes. It says nothing of the rock; settle it before any mechanism "
+                           "of the rock is believed."});
+  }
+  return notes;
+}
+
+std::vector<std::string> verdict_sentences(const ConfrontationData& data) {
+  const std::string status = data.verdict["status"].text();
+  if (status == "nothing_found")
+    return {
+        "Nothing found: the calibrated model agrees with the fitted tests within scatter; " + misfit_words(data) + ".",
+        "This does not prove the model: how strong each mechanism could be without being seen stands under \"What "
+        "these data could not have shown\"."};
+  std::vector<std::string> sentences{"The calibrated model is wrong beyond scatter: " + misfit_words(data) + "."};
+  if (status == "unexplained") {
+    sentences.emplace_back(
+        "Unexplained: no mechanism of the library, alone or as one of two, makes what is left. The cause lies outside "
+        "the library, or in the data.");
+    return sentences;
+  }
+  for (std::string& sentence : named_sentences(data)) sentences.push_back(std::move(sentence));
+  return sentences;
+}
+
+Chapter verdict_chapter(const ConfrontationData& data) {
+  Chapter chapter = titled("Verdict");
+  for (const std::string& sentence : verdict_sentences(data)) chapter.blocks.emplace_back(Paragraph{sentence});
+  const Value gain = data.verdict["gain"];
+  if (gain["elpd_change"].exists())
+    chapter.blocks.emplace_back(Paragraph{gain["claimed"].truth()
+                                              ? "The extended model predicts the tests that were kept back better; the "
+                                                "gain stands below."
+                                              : "No gain on the tests that were kept back is claimed."});
+  chapter.blocks.emplace_back(Entries{{{"Fitted tests", tests_words(data, false)},
+                                       {"Tests kept back", tests_words(data, true)},
+                                       {"Candidates", std::to_string(data.candidates.size()) + " mechanisms"}}});
+  add_notes(data, chapter);
+  add_parameters(data, chapter);
+  return chapter;
+}
+
+Chapter assumptions_chapter(const ConfrontationData& data) {
+  Chapter chapter = titled("What was declared or assumed");
+  const Value setting = data.shown["setting"];
+  PlainTable table{"In place of what was not measured.",
+                   {{"What", "", ColumnKind::head}, {"Value", "", ColumnKind::prose}, {"Why", "", ColumnKind::prose}},
+                   {}};
+  for (const Value& d : setting["declared"].items())
+    table.rows.push_back({{d["what"].text(), d["value"].text(), d["why"].text()}, html::RowTone::plain});
+  if (const std::string sizes = assumed_sizes(setting["assumed"]); !sizes.empty())
+    table.rows.push_back({{"sizes of specimens", sizes, setting["assumed"]["why"].text()}, html::RowTone::plain});
+  if (!table.rows.empty()) chapter.blocks.emplace_back(std::move(table));
+  if (setting["split_proposed"].truth())
+    chapter.blocks.emplace_back(
+        Paragraph{"Which tests are fitted and which are kept back was proposed by Asperity, by kind of test."});
+  return chapter;
+}
+
+}  // namespace asperity::app
