@@ -15,7 +15,7 @@ std::vector<Crack> run_cracks(const Model& model);
 /// the b-value of their magnitudes.
 nlohmann::ordered_json crack_entries(const Model& model, const Sample& last);
 
-/// Adds crack initiation and crack damage, Eqs. (M41), (M42), to a compression test's results.
+/// Adds the stresses of crack initiation and crack damage (core/measurement README) to a compression test's results.
 void add_crack_stresses(const Model& model, const RunState& state, const Peak& peak, nlohmann::ordered_json& results);
 
 }  // namespace asperity
