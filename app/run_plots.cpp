@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/crack_plots.hpp"
 #include "app/run_frames.hpp"
 #include "core/geometry/joint_profile.hpp"
 #include "core/output/csv.hpp"
@@ -198,6 +199,7 @@ void draw_plots(const RunFolder& folder, const RunConfig& config) {
   }
   plot_energy(read_csv(folder.energy()), abscissa_of(type), folder.plots() / "energy");
   plot_cracks(curves, type, folder.plots() / "cracks");
+  draw_crack_plots(folder, config);
 }
 
 void draw_strip(const RunFolder& folder, const RunConfig& config) {

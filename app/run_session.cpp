@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/crack_tables.hpp"
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
 #include "app/libraries.hpp"
@@ -20,9 +21,7 @@
 #include "core/config/write_config.hpp"
 #include "core/experiment/checkpoint_pair.hpp"
 #include "core/experiment/summarise.hpp"
-#include "core/measurement/acoustic.hpp"
 #include "core/measurement/capture.hpp"
-#include "core/measurement/crack_network.hpp"
 #include "core/output/csv.hpp"
 #include "core/output/manifest.hpp"
 #include "core/output/run_tables.hpp"
@@ -136,16 +135,6 @@ void compute(Session& s, const ParallelLoops& loops) {
   if (!s.state.samples.empty()) progress.finish(progress_state({1.0, &s.state.samples.back(), s.model.system.step}, s.model));
 }
 
-void write_crack_tables(const Session& s) {
-  std::vector<Crack> cracks = list_cracks(s.model.system.contacts, s.model.system.particles);
-  for (Crack& crack : cracks) crack.energy_n_mm *= strip_thickness(s.model.config);
-  std::vector<std::vector<CsvCell>> crack_rows, event_rows;
-  for (const Crack& crack : cracks) crack_rows.push_back(crack_row(crack));
-  for (const AcousticEvent& event : group_events(cracks, s.model.config)) event_rows.push_back(event_row(event));
-  write_csv(s.folder.crack_table(), crack_columns(), crack_rows);
-  write_csv(s.folder.events(), event_columns(), event_rows);
-}
-
 void write_results(Session& s) {
   Summary summary = summarise(s.model, s.state);
   summary.cost["steps"] = s.model.system.step;
@@ -169,7 +158,7 @@ void end(Session& s, Outcome outcome, const std::string& reason) {
 }
 
 int interrupt(Session& s, const std::string& reason) {
-  write_crack_tables(s);
+  write_crack_tables(s.folder, s.model);
   end(s, Outcome::interrupted, reason);
   std::cerr << "interrupted; go on with: asperity resume " << s.folder.root().string() << "\n";
   return kExitInterrupted;
@@ -235,7 +224,7 @@ int carry_out(Session& s, const ParallelLoops& loops) {
     compute(s, loops);
   }
   if (s.state.stop == StopReason::interrupted) return interrupt(s, "interrupted; a checkpoint was written");
-  write_crack_tables(s);
+  write_crack_tables(s.folder, s.model);
   write_results(s);
   if (!draw(s)) return interrupt(s, "interrupted while pictures were drawn; all is computed");
   end(s, Outcome::finished, describe(s.state.stop));

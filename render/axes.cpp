@@ -134,6 +134,22 @@ std::string tick_label(double value, double step) {
   return value < 0 ? "−" + digits : digits;
 }
 
+Axis make_log_axis(Range exponents, const std::string& label) {
+  constexpr double kFewDecades = 3, kPlainDigits = 4;
+  if (!(exponents.high > exponents.low)) exponents = widened(exponents, 0.5);
+  Axis axis{exponents, {}, label};
+  const bool few = exponents.high - exponents.low < kFewDecades;
+  for (int k = static_cast<int>(std::floor(exponents.low)); k <= exponents.high; ++k) {
+    for (const int times : few ? std::vector<int>{1, 2, 5} : std::vector<int>{1}) {
+      const double at = k + std::log10(times);
+      if (at < exponents.low - 1e-9 || at > exponents.high + 1e-9) continue;
+      const bool plain = few || std::abs(k) < kPlainDigits;
+      axis.ticks.push_back({at, plain ? fmt::format("{:g}", times * std::pow(10.0, k)) : power_of_ten(k)});
+    }
+  }
+  return axis;
+}
+
 Axis make_axis(Range range, const std::string& label, int parts) {
   if (range.low == 0 && range.high == 0) range.high = 1;
   if (!(range.high > range.low)) range = widened(range, 0.5);

@@ -23,6 +23,10 @@ struct Axis {
 /// A scale over exactly `range`, or a little around an empty one, with about `parts` round ticks.
 Axis make_axis(Range range, const std::string& label, int parts);
 
+/// A logarithmic scale over a range of decadic logarithms; ticks at powers of ten and, over less than three decades, at
+/// twice and five times them.
+Axis make_log_axis(Range exponents, const std::string& label);
+
 /// A number with a true minus sign and the decimals that tell steps of `step` apart.
 std::string tick_label(double value, double step);
 

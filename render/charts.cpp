@@ -9,11 +9,12 @@
 #include "render/colour_bar.hpp"
 #include "render/style.hpp"
 #include "render/text_metrics.hpp"
+#include "render/title_caption.hpp"
 
 namespace asperity::render {
 namespace {
 
-constexpr double kMargin = 36, kBetween = 26, kHeadingGap = 12, kCaptionSize = 24, kCaptionLine = 34;  // pixels
+constexpr double kBetween = 26, kHeadingGap = 12;   // pixels
 constexpr double kTickGap = 14;                     // between the labels of an axis, pixels
 constexpr double kTickRoom = 95, kTickRoomUp = 75;  // pixels of an axis that one tick may take
 
@@ -101,9 +102,14 @@ Cell cell_of(const ChartFigure& figure, std::size_t number, const AxesStyle& sty
   const int across = parts_for(length, kTickRoom);
   const int up = parts_for(0.7 * figure.height / static_cast<double>(rows), kTickRoomUp);
   const Range x = chart.x_range.value_or(natural_range(chart, extents.x));
-  cell.x = chart.x_categories.empty() ? spaced_axis(x, chart.x_label, across, length, style.tick_size)
-                                      : category_axis(chart);
-  cell.y = make_axis(chart.y_range.value_or(natural_range(chart, extents.y)), chart.y_label, up);
+  if (chart.x_log)
+    cell.x = make_log_axis(x, chart.x_label);
+  else if (!chart.x_categories.empty())
+    cell.x = category_axis(chart);
+  else
+    cell.x = spaced_axis(x, chart.x_label, across, length, style.tick_size);
+  const Range y = chart.y_range.value_or(natural_range(chart, extents.y));
+  cell.y = chart.y_log ? make_log_axis(y, chart.y_label) : make_axis(y, chart.y_label, up);
   cell.around = axes_margins(cell.x, cell.y, {}, style);
   if (!chart.heading.empty() || figure.letters == Letters::each)
     cell.around.top = 1.25 * style.label_size + kHeadingGap;
@@ -178,28 +184,6 @@ void draw_chart(Drawing& drawing, const Chart& chart, const PlotArea& area, cons
     if (const auto* points = std::get_if<PointLayer>(&layer)) draw_names(drawing, area, *points, occupied);
 }
 
-double draw_title(Drawing& drawing, const std::string& title) {
-  if (title.empty()) return kMargin;
-  const double size = fitting_size(title, style::kTitleSize, Weight::bold, drawing.width - 2 * kMargin);
-  const double baseline = kMargin + style::kTitleSize;
-  drawing.shapes.push_back(
-      Text{{kMargin, baseline}, title, size, Anchor::left, Weight::bold, Direction::across, style::kInk});
-  return baseline + 0.6 * style::kTitleSize;
-}
-
-/// Draws the caption in lines at the figure's foot and returns where it begins.
-double draw_caption(Drawing& drawing, const std::string& caption) {
-  const std::vector<std::string> lines = wrapped(caption, kCaptionSize, drawing.width - 2 * kMargin);
-  const double top = drawing.height - kMargin - kCaptionLine * static_cast<double>(lines.size());
-  double baseline = top + kCaptionLine;
-  for (const std::string& line : lines) {
-    drawing.shapes.push_back(Text{
-        {kMargin, baseline}, line, kCaptionSize, Anchor::left, Weight::regular, Direction::across, style::kSoftInk});
-    baseline += kCaptionLine;
-  }
-  return lines.empty() ? drawing.height - kMargin : top - 0.3 * kCaptionLine;
-}
-
 void draw_charts(Drawing& drawing, const ChartFigure& figure, Box room) {
   const AxesStyle style = style_for(figure);
   const FieldLayer* shared = figure.colour_bars == ColourBars::shared ? field_of(figure.charts.front()) : nullptr;
@@ -223,10 +207,10 @@ void draw_charts(Drawing& drawing, const ChartFigure& figure, Box room) {
 Drawing draw_figure(const ChartFigure& figure) {
   Drawing drawing{figure.width, figure.height, {}};
   const double below_title = draw_title(drawing, figure.title);
-  const double right = figure.width - kMargin;
-  const double top = draw_chart_legend(drawing, figure.charts, {kMargin, below_title, right, 0});
+  const double right = figure.width - kFigureMargin;
+  const double top = draw_chart_legend(drawing, figure.charts, {kFigureMargin, below_title, right, 0});
   const double bottom = draw_caption(drawing, figure.caption);
-  if (!figure.charts.empty()) draw_charts(drawing, figure, {kMargin, top, right, bottom});
+  if (!figure.charts.empty()) draw_charts(drawing, figure, {kFigureMargin, top, right, bottom});
   return drawing;
 }
 

@@ -72,12 +72,14 @@ struct ContourLayer {
 using Layer = std::variant<LineLayer, BandLayer, PointLayer, BoxLayer, FieldLayer, ContourLayer>;
 
 /// One pair of axes with its layers, drawn in order. Ranges not given enclose the layers with some headroom; categories
-/// stand at x = 1, 2, ... instead of numbers.
+/// stand at x = 1, 2, ... instead of numbers. Along a logarithmic axis, layers and range are decadic logarithms, and the
+/// ticks carry the numbers.
 struct Chart {
   std::string heading, x_label, y_label;
   std::vector<Layer> layers;
   std::optional<Range> x_range, y_range;
   std::vector<std::string> x_categories;
+  bool x_log = false, y_log = false;
 };
 
 /// `shared`: one colour bar for the whole figure, by the first chart's field; all charts then need the same levels.

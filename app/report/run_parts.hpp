@@ -42,6 +42,7 @@ html::Section curves_section(const RunContext& context);
 html::Section teeth_section(const RunContext& context);
 html::Section closed_forms_section(const RunContext& context);
 html::Section failure_mode_section(const RunContext& context);
+html::Section crack_section(const RunContext& context);
 html::Section energy_section(const RunContext& context);
 html::Section events_section(const RunContext& context);
 html::Section run_cost_section(const RunContext& context);

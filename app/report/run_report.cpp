@@ -42,7 +42,7 @@ std::vector<html::Section> sections(const RunContext& context) {
   std::vector<html::Section> all;
   for (const auto part :
        {results_section, pictures_section, curves_section, teeth_section, closed_forms_section, failure_mode_section,
-        energy_section, events_section, run_cost_section, run_provenance_section}) {
+        crack_section, energy_section, events_section, run_cost_section, run_provenance_section}) {
     html::Section section = part(context);
     if (!section.parts.empty() || !section.sections.empty()) all.push_back(std::move(section));
   }

@@ -166,6 +166,15 @@ html::Section events_section(const RunContext& context) {
           cracks[largest] == 1 ? "crack" : "cracks")) +
       html::number(energies[largest], 3) + " N mm, " + html::number(1e3 * events.numbers("time_s")[largest]) +
       " ms after the start. " + file_link(context, "events.csv") + " has them all."));
+  if (const auto figure = run_figure(context, "acoustic",
+                                     "Stress, number and energy of the events so far, and each event's magnitude, over "
+                                     "the test.",
+                                     "Events over the test."))
+    section.parts.push_back(*figure);
+  if (const auto figure =
+          run_figure(context, "magnitudes", "Number of events of at least a magnitude, over the magnitude.",
+                     "Frequency of magnitudes, with the completeness and, where there are enough events, b."))
+    section.parts.push_back(*figure);
   return section;
 }
 
@@ -200,9 +209,9 @@ html::Section run_provenance_section(const RunContext& context) {
        {"Outcome", m["outcome"].text() + ": " + m["exit_reason"].text()},
        {"Files", file_link(context, "summary.json") + ", " + file_link(context, "manifest.json") + ", " +
                      file_link(context, "curves.csv") + ", " + file_link(context, "energy.csv") + ", " +
-                     file_link(context, "cracks.csv") + ", " + file_link(context, "events.csv") + "; for ParaView " +
-                     file_link(context, "fields.pvd") + ", " + file_link(context, "cracks.pvd") + ", " +
-                     file_link(context, "contacts.pvd")}}));
+                     file_link(context, "cracks.csv") + ", " + file_link(context, "events.csv") + ", " +
+                     file_link(context, "fragments.csv") + "; for ParaView " + file_link(context, "fields.pvd") + ", " +
+                     file_link(context, "cracks.pvd") + ", " + file_link(context, "contacts.pvd")}}));
   return section;
 }
 

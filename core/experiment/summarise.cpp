@@ -6,11 +6,10 @@
 #include <cmath>
 
 #include "core/config/mechanism_declaration.hpp"
+#include "core/experiment/crack_entries.hpp"
 #include "core/experiment/failure_entries.hpp"
 #include "core/experiment/joint_results.hpp"
 #include "core/measurement/capture.hpp"
-#include "core/measurement/crack_network.hpp"
-#include "core/measurement/fragments.hpp"
 #include "core/measurement/results.hpp"
 
 namespace asperity {
@@ -77,6 +76,7 @@ Json compression_results(const Model& model, const RunState& state, const Peak& 
   j["peak_axial_strain"] = peak.axial_strain;
   j["peak_passed"] = !peak.at_end;
   j["confining_pressure_mpa"] = model.config.experiment.confining_pressure_mpa;
+  add_crack_stresses(model, state, peak, j);
   return j;
 }
 
@@ -109,17 +109,6 @@ Json energy_entries(const EnergyBalance& e) {
           {"plasticity_n_mm", e.plasticity},
           {"created_by_law_n_mm", e.created_by_law},
           {"relative_closure_error", relative_closure_error(e)}};
-}
-
-Json crack_entries(const Model& model, const Sample& last) {
-  const Fragments fragments = find_fragments(model.system.contacts, model.system.particles);
-  double area = 0.0;
-  for (double a : fragments.area_mm2) area += a;
-  return {{"tension", last.cracks_tension},
-          {"shear", last.cracks_shear},
-          {"softening", last.contacts_softening},
-          {"fragments", fragments.area_mm2.size()},
-          {"largest_fragment_share", fragments.area_mm2.front() / area}};
 }
 
 /// General contacts alive at the end, and the deepest overlap of the whole run.

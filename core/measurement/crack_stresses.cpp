@@ -46,7 +46,7 @@ std::size_t dilation_onset(const CrackStresses& strains, const std::vector<std::
 
 }  // namespace
 
-StressRange modulus_window(const RunConfig& config, double peak_mpa) {
+StressRange elastic_window(const RunConfig& config, double peak_mpa) {
   const double base = config.experiment.confining_pressure_mpa, deviator = peak_mpa - base;
   return {base + config.measurement.modulus_window_low * deviator,
           base + config.measurement.modulus_window_high * deviator};

@@ -32,6 +32,6 @@ std::optional<CrackStresses> crack_stresses(const CompressionColumns& columns, s
                                             const StressRange& window, double confining_pressure_mpa);
 
 /// Total axial stresses of a run's modulus window, from its configuration and peak.
-StressRange modulus_window(const RunConfig& config, double peak_mpa);
+StressRange elastic_window(const RunConfig& config, double peak_mpa);
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 namespace asperity {
 namespace {
@@ -38,17 +39,15 @@ double MagnitudeStatistics::a() const { return std::log10(complete) + *b * compl
 std::optional<MagnitudeStatistics> magnitude_statistics(std::span<const double> magnitudes) {
   if (magnitudes.empty()) return std::nullopt;
   MagnitudeStatistics result{static_cast<int>(magnitudes.size()), maximum_curvature(magnitudes), 0, {}, {}};
-  double sum = 0.0, squares = 0.0;
-  for (const double m : magnitudes) {
-    if (m < result.completeness) continue;
-    ++result.complete;
-    sum += m;
-  }
-  const double n = result.complete, mean = sum / n;
+  std::vector<double> complete;
   for (const double m : magnitudes)
-    if (m >= result.completeness) squares += (m - mean) * (m - mean);
-  const auto [least, largest] = std::minmax_element(magnitudes.begin(), magnitudes.end());
+    if (m >= result.completeness) complete.push_back(m);
+  result.complete = static_cast<int>(complete.size());
+  const auto [least, largest] = std::minmax_element(complete.begin(), complete.end());
   if (result.complete < kLeastEvents || *least == *largest) return result;
+  const double n = result.complete, mean = std::accumulate(complete.begin(), complete.end(), 0.0) / n;
+  double squares = 0.0;
+  for (const double m : complete) squares += (m - mean) * (m - mean);
   result.b = std::numbers::log10e / (mean - result.completeness);
   result.error = std::numbers::ln10 * *result.b * *result.b * std::sqrt(squares / (n * (n - 1.0)));
   return result;

@@ -20,14 +20,14 @@ constexpr std::array<std::string_view, 6> kSubfolders{"fields", "cracks", "conta
 std::string plot_pattern() {
   std::string names;
   for (const std::string_view name : kPlotNames) names += (names.empty() ? "" : "|") + std::string(name);
-  return "plots/(" + names + ")\\.(png|svg)";
+  return "plots/(" + names + ")\\.(png|svg|csv)";
 }
 
 const std::regex& run_file_pattern() {
   // A ".tmp" is what an atomic write leaves behind when the machine goes down in the middle.
   static const std::regex pattern(
       "(config\\.(original|effective)\\.json|manifest\\.json|summary\\.json|log\\.txt|report\\.html"
-      "|(curves|energy|cracks|events|measured)\\.csv|(fields|cracks|contacts)\\.pvd"
+      "|(curves|energy|cracks|events|fragments|measured)\\.csv|(fields|cracks|contacts)\\.pvd"
       "|fields/fields_[0-9]{6}\\.vtu|cracks/cracks_[0-9]{6}\\.vtu|contacts/contacts_[0-9]{6}\\.vtu|frames/"
       "[a-z_]+_[0-9]{6}\\.png"
       "|checkpoint/[a-z]+(_[0-9]+)?\\.(bin|json)|" +

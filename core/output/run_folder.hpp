@@ -21,9 +21,10 @@ struct FolderDecision {
   std::string why;  ///< One clause for the log.
 };
 
-/// Plots that a run draws, each as PNG and, but for the strip, as SVG in plots/.
-inline constexpr std::array<std::string_view, 7> kPlotNames{"stress_strain", "shear_stress", "dilation", "teeth",
-                                                            "energy",        "cracks",       "strip"};
+/// Plots that a run draws, each as PNG and, but for the strip, as SVG in plots/; what is counted also as CSV.
+inline constexpr std::array<std::string_view, 12> kPlotNames{
+    "stress_strain", "shear_stress", "dilation",          "teeth",         "energy", "cracks", "strip", "crack_rose",
+    "magnitudes",    "acoustic",     "volumetric_strain", "fragment_sizes"};
 
 /// outputs/NAME below the present folder. Throws Error(config) at /name where the name would leave outputs/.
 std::filesystem::path default_run_folder(const std::string& config_name);
@@ -71,6 +72,7 @@ class RunFolder {
   std::filesystem::path energy() const { return root_ / "energy.csv"; }
   std::filesystem::path crack_table() const { return root_ / "cracks.csv"; }
   std::filesystem::path events() const { return root_ / "events.csv"; }
+  std::filesystem::path fragments() const { return root_ / "fragments.csv"; }
   std::filesystem::path measured_curve() const { return root_ / "measured.csv"; }
   std::filesystem::path field_series() const { return root_ / "fields.pvd"; }
   std::filesystem::path crack_series() const { return root_ / "cracks.pvd"; }

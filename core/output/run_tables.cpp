@@ -4,6 +4,7 @@
 
 #include "core/measurement/acoustic.hpp"
 #include "core/measurement/crack_network.hpp"
+#include "core/measurement/fragment_sizes.hpp"
 #include "core/measurement/sample.hpp"
 
 namespace asperity {
@@ -162,6 +163,8 @@ std::vector<std::string> crack_columns() { return names_of(crack_table()); }
 
 std::vector<std::string> event_columns() { return names_of(event_table()); }
 
+std::vector<std::string> fragment_columns() { return {"fragment", "area_mm2", "size_mm"}; }
+
 std::vector<CsvCell> curve_row(const Sample& sample, const CurveLayout& layout) {
   std::vector<CsvCell> cells = cells_of(layout.joint ? joint_curve_table() : curve_table(), sample);
   for (std::size_t i = 0; i < layout.teeth; ++i) {
@@ -178,5 +181,9 @@ std::vector<CsvCell> energy_row(const Sample& sample, const CurveLayout& layout)
 std::vector<CsvCell> crack_row(const Crack& crack) { return cells_of(crack_table(), crack); }
 
 std::vector<CsvCell> event_row(const AcousticEvent& event) { return cells_of(event_table(), event); }
+
+std::vector<CsvCell> fragment_row(std::size_t number, double area_mm2) {
+  return {number, area_mm2, equivalent_diameter(area_mm2)};
+}
 
 }  // namespace asperity

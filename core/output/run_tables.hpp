@@ -22,10 +22,12 @@ std::vector<std::string> curve_columns(const CurveLayout& layout = {});
 std::vector<std::string> energy_columns(const CurveLayout& layout = {});
 std::vector<std::string> crack_columns();
 std::vector<std::string> event_columns();
+std::vector<std::string> fragment_columns();
 
 std::vector<CsvCell> curve_row(const Sample& sample, const CurveLayout& layout = {});
 std::vector<CsvCell> energy_row(const Sample& sample, const CurveLayout& layout = {});
 std::vector<CsvCell> crack_row(const Crack& crack);
 std::vector<CsvCell> event_row(const AcousticEvent& event);
+std::vector<CsvCell> fragment_row(std::size_t number, double area_mm2);
 
 }  // namespace asperity

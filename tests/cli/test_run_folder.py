@@ -12,9 +12,10 @@ from support import SCRATCH, SOURCE, TINY, asperity, settings
 
 FILES = [
     "config.original.json", "config.effective.json", "manifest.json", "log.txt", "summary.json",
-    "curves.csv", "energy.csv", "cracks.csv", "events.csv", "fields.pvd", "cracks.pvd", "contacts.pvd",
+    "curves.csv", "energy.csv", "cracks.csv", "events.csv", "fragments.csv", "fields.pvd", "cracks.pvd", "contacts.pvd",
 ]
 PLOTS = [f"plots/{name}.{kind}" for name in ("stress_strain", "energy", "cracks") for kind in ("png", "svg")]
+PLOTS += [f"plots/{name}.{kind}" for name in ("crack_rose", "magnitudes", "acoustic", "fragment_sizes") for kind in ("png", "svg", "csv")]
 PLOTS += ["plots/strip.png", "report.html"]
 TEST_COLUMNS = ["time_s", "axial_strain", "axial_stress_mpa", "reaction_bottom_n", "reaction_top_n", "external_work_n_mm"]
 
@@ -49,6 +50,25 @@ class RunFolder(support.CommandLineTest):
     def frame_count(self):
         return len(list((self.folder / "fields").glob("fields_*.vtu")))
 
+    def test_plots_tables_hold_what_the_runs_tables_hold(self):
+        def column(name, key):
+            head, rows = self.rows(name)
+            return [float(row.split(",")[head.index(key)]) for row in rows]
+        summary = self.json_of("summary.json")["cracks"]
+        lengths = column("cracks.csv", "length_mm")
+        rose = sum(column("plots/crack_rose.csv", "tension_length_mm")) + sum(column("plots/crack_rose.csv", "shear_length_mm"))
+        self.assertAlmostEqual(rose, sum(lengths), places=9)
+        events = column("events.csv", "energy_n_mm")
+        self.assertEqual(sum(column("plots/magnitudes.csv", "events")), len(events))
+        self.assertEqual(column("plots/magnitudes.csv", "events_of_at_least")[0], len(events))
+        self.assertEqual(column("plots/acoustic.csv", "energy_n_mm"), events)
+        strains = column("plots/acoustic.csv", "axial_strain")
+        self.assertEqual(strains, sorted(strains))
+        areas = column("fragments.csv", "area_mm2")
+        self.assertEqual(len(areas), summary["fragments"])
+        self.assertAlmostEqual(areas[0] / sum(areas), summary["largest_fragment_share"], places=12)
+        self.assertIn(summary["fragment_d50_mm"], column("plots/fragment_sizes.csv", "size_mm"))
+
     def test_every_file_of_the_design_is_there_and_not_empty(self):
         frames = range(self.frame_count())
         numbered = [f"{s}/{s}_{i:06}.vtu" for s in ("fields", "cracks", "contacts") for i in frames]
@@ -59,7 +79,7 @@ class RunFolder(support.CommandLineTest):
         self.assertEqual(list(self.folder.rglob("*.tmp")), [])
 
     def test_nothing_else_is_there(self):
-        known = re.compile(r"\.asperity\.lock|report\.html|(fields|cracks|contacts|frames|plots|checkpoint)(/[a-z_]+(_\d{6})?\.(vtu|png|svg))?")
+        known = re.compile(r"\.asperity\.lock|report\.html|(fields|cracks|contacts|frames|plots|checkpoint)(/[a-z_]+(_\d{6})?\.(vtu|png|svg|csv))?")
         for name in support.listing(self.folder):
             self.assertTrue(name in FILES or known.fullmatch(name), name)
 

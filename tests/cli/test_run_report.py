@@ -7,9 +7,9 @@ from report_page import Page, check_self_contained
 from support import SCRATCH, TINY, asperity, settings
 
 JOINT = TINY.with_name("tiny_joint.json")
-DISC_SECTIONS = ["Results", "Pictures", "Curves", "Failure mode", "Energy", "Acoustic events", "Cost", "Provenance"]
-JOINT_SECTIONS = ["Results", "Pictures", "Curves", "Teeth", "Closed forms beside the simulation", "Energy", "Acoustic events", "Cost",
-                  "Provenance"]
+DISC_SECTIONS = ["Results", "Pictures", "Curves", "Failure mode", "Cracks", "Energy", "Acoustic events", "Cost", "Provenance"]
+JOINT_SECTIONS = ["Results", "Pictures", "Curves", "Teeth", "Closed forms beside the simulation", "Cracks", "Energy", "Acoustic events",
+                  "Cost", "Provenance"]
 FORMS = ["sliding up the flanks", "sheared through at the base", "transition, normal stress", "teeth one after the other", "all teeth at once",
          "Ladanyi & Archambault", "residual, joint's friction", "residual, rock's friction"]
 
@@ -91,6 +91,15 @@ class RunReport(support.CommandLineTest):
         shown = [image["src"] for image in page.images]
         for plot in ("strip", "shear_stress", "dilation", "teeth", "cracks", "energy"):
             self.assertIn(f"plots/{plot}.png", shown)
+
+    def test_what_the_cracks_tell_is_on_the_page(self):
+        page = self.page(self.disc)
+        shown = [image["src"] for image in page.images]
+        for plot in ("crack_rose", "fragment_sizes", "acoustic", "magnitudes"):
+            self.assertIn(f"plots/{plot}.png", shown)
+        cracks = self.summary(self.disc)["cracks"]
+        self.assertEqual(cracks["acoustic_events"], len((self.disc / "events.csv").read_text().splitlines()) - 1)
+        self.assertIn("fragment d50", page.words)
 
     def test_a_joint_stops_at_its_shear_displacement(self):
         self.assertEqual(self.summary(self.joint)["experiment"]["stopped"], "reached the stop shear displacement")

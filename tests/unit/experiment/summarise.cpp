@@ -138,6 +138,40 @@ TEST_CASE("cracks and fragments stand in the summary") {
   CHECK(cracks["shear"] == 0);
   CHECK(cracks["fragments"] == 1);
   CHECK(cracks["largest_fragment_share"] == 1.0);
+  CHECK(cracks["fragment_d50_mm"] == cracks["fragment_d80_mm"]);  // there is one fragment
+  CHECK(cracks["acoustic_events"] == 0);                          // of the model, which is whole
+  for (const char* key : {"tension_order_parameter", "shear_order_parameter", "completeness_magnitude", "b_value"}) {
+    CHECK(cracks.at(key).is_null());
+  }
+}
+
+TEST_CASE("a broken contact has its direction, its event and its fragments in the summary") {
+  Case c;
+  BondedContacts& contacts = c.model.system.contacts;
+  BrokenEdge& broken = contacts.broken_edge(0);
+  broken.points = {BreakMode::shear, BreakMode::shear};
+  broken.break_time = 0.0;
+  std::array<PointState, 2> points = contacts.memory.load(0);
+  for (PointState& s : points) s.fracture_energy = 0.5;
+  contacts.memory.store(0, points);
+  const auto cracks = c.summary().cracks;
+  CHECK(cracks["acoustic_events"] == 1);
+  CHECK(cracks["events_above_completeness"] == 1);
+  CHECK(cracks["completeness_magnitude"].is_number());
+  CHECK(cracks["b_value"].is_null());  // of one event
+  CHECK(cracks["tension_order_parameter"].is_null());
+  const double order = cracks["shear_order_parameter"];
+  CHECK(std::abs(order) <= 1.0);
+}
+
+TEST_CASE("crack initiation and damage stand in a compression test's results where the specimen dilates") {
+  Case c(ExperimentType::uniaxial);
+  c.model.config.measurement.modulus_window_low = 0.1;
+  c.model.config.measurement.modulus_window_high = 0.7;
+  CHECK(c.summary().results.at("crack_damage_stress_mpa").is_null());  // elastic up to its peak
+  c.state.samples[4].lateral_strain += 0.002;
+  c.state.samples[5].lateral_strain += 0.004;
+  CHECK(c.summary().results["crack_damage_stress_mpa"] == c.state.samples[3].stress_mpa);
 }
 
 TEST_CASE("the failure mode is told at half the peak and at the end, for discs and compression") {

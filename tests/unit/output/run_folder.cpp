@@ -227,10 +227,13 @@ TEST_CASE("files of a run are known by their exact names") {
   CHECK(is_run_file("contacts.pvd"));
   CHECK(is_run_file("measured.csv"));
   CHECK(is_run_file("plots/stress_strain.svg"));
+  CHECK(is_run_file("plots/crack_rose.csv"));
+  CHECK(is_run_file("fragments.csv"));
   CHECK(is_run_file("fields.pvd.tmp"));
   CHECK_FALSE(is_run_file("frames/cracks_12.png"));
   CHECK_FALSE(is_run_file("curves.csv.bak"));
   CHECK_FALSE(is_run_file("sub/curves.csv"));
+  CHECK_FALSE(is_run_file("plots/mine.csv"));
   CHECK_FALSE(is_run_file(kLockName));
 }
 
