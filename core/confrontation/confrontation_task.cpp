@@ -27,8 +27,8 @@ double transformed(const FeatureSlot& slot, double value) {
   return value > 0.0 ? std::log(value) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Error of a test's instruments that all its specimens share, in the slot's unit.
-double shared_error(const FeatureSlot& slot, const TestFeature& feature, const MeasuredTest& test) {
+/// Error of a feature's mean by the test's instruments, in the slot's unit.
+double instrument_error(const FeatureSlot& slot, const TestFeature& feature, const MeasuredTest& test) {
   double sum = 0.0;
   for (const SpecimenValue& s : feature.specimens) {
     if (!s.value) continue;
@@ -40,17 +40,26 @@ double shared_error(const FeatureSlot& slot, const TestFeature& feature, const M
   return feature.count > 0 ? sum / feature.count : 0.0;
 }
 
+/// Scales are the instruments', the same for every specimen; zeros are set anew for each.
+MeasuredTest without_zero_errors(MeasuredTest test) {
+  test.instrument.load_zero_percent = test.instrument.displacement_zero_mm = 0.0;
+  return test;
+}
+
 void take_measured(TestEvidence& evidence, const MeasuredTest& test) {
-  const std::vector<TestFeature> features = features_of(test);
+  const std::vector<TestFeature> features = features_of(test), scales = features_of(without_zero_errors(test));
   const std::span<const FeatureKind> kinds = feature_kinds(test.experiment);
   const auto specimens = static_cast<Index>(features.front().specimens.size());
   evidence.measured.resize(specimens, static_cast<Index>(evidence.slots.size()));
   evidence.instrument_sd.resize(static_cast<Index>(evidence.slots.size()));
   for (std::size_t s = 0; s < evidence.slots.size(); ++s) {
     const FeatureSlot& slot = evidence.slots[s];
-    const TestFeature& feature = features[static_cast<std::size_t>(slot.kind - kinds.data())];
+    const auto kind = static_cast<std::size_t>(slot.kind - kinds.data());
+    const TestFeature& feature = features[kind];
     const auto column = static_cast<Index>(s);
-    evidence.instrument_sd(column) = shared_error(slot, feature, test);
+    const double shared = instrument_error(slot, scales[kind], test), all = instrument_error(slot, feature, test);
+    const double zeros = std::max(0.0, all * all - shared * shared) / std::max(1, feature.count);
+    evidence.instrument_sd(column) = std::sqrt(shared * shared + zeros);
     for (Index i = 0; i < specimens; ++i) {
       const auto& value = feature.specimens[static_cast<std::size_t>(i)].value;
       evidence.measured(i, column) = value ? transformed(slot, *value) : std::numeric_limits<double>::quiet_NaN();

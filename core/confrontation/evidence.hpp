@@ -29,7 +29,7 @@ struct TestEvidence {
   ScatterSource scatter = ScatterSource::pooled;
   std::vector<FeatureSlot> slots;
   Samples measured;
-  Eigen::VectorXd instrument_sd;   ///< Errors all specimens share, slot by slot, in the samples' unit.
+  Eigen::VectorXd instrument_sd;   ///< Of the specimens' mean, slot by slot, in the samples' unit.
   Samples base;                    ///< The base model at the parameters' reference.
   std::vector<Samples> low, high;  ///< By parameter, on common meshes, one step below and above.
   std::vector<Samples> mechanism;  ///< By candidate, on common meshes, at the candidate's amplitude.

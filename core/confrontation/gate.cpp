@@ -76,7 +76,7 @@ Gate gate(const Comparison& comparison, const Scatter& scatter, const BaseFit& f
   gate.pattern = pattern_of(frame, fit.difference, comparison.fingerprint, candidates);
   describe_candidates(comparison, frame, gate);
   RandomStream random(options.seed, "confrontation gate");
-  std::vector<double> misfits, explained;
+  std::vector<double> misfits, least_misfits, explained;
   for (int d = 0; d < options.draws; ++d) {
     const Repetition again = repeat(comparison, scatter, options.noise, random);
     const VectorXd difference = again.difference + drawn_parameter_error(comparison, fit, random);
@@ -88,7 +88,7 @@ Gate gate(const Comparison& comparison, const Scatter& scatter, const BaseFit& f
   const double most = gate.pattern.explained.size() > 0 ? gate.pattern.explained.maxCoeff() : 0.0;
   gate.p_explained = share_above(explained, most);
   gate.p_misfit = gamma_tail(misfits, gate.pattern.misfit);
-  gate.p_too_good = 1.0 - share_above(misfits, gate.pattern.misfit);
+  gate.p_too_good = 1.0 - share_above(least_misfits, gate.pattern.misfit);
   gate.discrepancy = gate.p_explained < options.explained_level || gate.p_misfit < options.misfit_level;
   return gate;
 }

@@ -30,7 +30,8 @@ Pattern pattern_of(const WhitenedFrame& frame, const Eigen::VectorXd& difference
 struct Gate {
   Pattern pattern;
   double p_explained = 1, p_misfit = 1;  ///< The latter by a gamma law through the draws' misfits.
-  double p_too_good = 1;                 ///< Share of draws with a smaller misfit: near 0, the data fit too well.
+  double p_too_good =
+      1;  ///< Share of draws by the meshes' scatter alone with a smaller misfit: near 0, too good a fit.
   bool discrepancy = false;
   Eigen::VectorXd hidden_share;  ///< By candidate: 1 - eta, what calibration absorbs of its fingerprint.
   Eigen::VectorXd detectable;    ///< By candidate: amplitude that would have been seen, Eq. (N16); infinite: none.

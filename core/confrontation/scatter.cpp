@@ -145,22 +145,25 @@ MatrixXd covariance_from(const Comparison& comparison, const std::vector<MatrixX
 
 Repetition repeat(const Comparison& comparison, const Scatter& scatter, const NoiseOptions& options,
                   RandomStream& random) {
-  Repetition repetition{VectorXd(comparison.data.size()), {}};
+  Repetition repetition{VectorXd(comparison.data.size()), VectorXd(comparison.data.size()), {}};
   std::vector<MatrixXd> meshes;
   for (std::size_t t = 0; t < comparison.tests.size(); ++t) {
     const ComparedTest& part = comparison.tests[t];
     const Index n = part.meshes.cols();
-    const MatrixXd rows = believed_rows(part.meshes, scatter.run[t]);
+    MatrixXd rows(part.meshes.rows(), 2 * n);
+    rows << believed_rows(part.meshes, scatter.run[t]), part.meshes;
     const auto specimens = static_cast<Index>(comparison.specimens.segment(part.first, n).maxCoeff());
     const VectorXd fewer =
         (static_cast<double>(specimens) / comparison.specimens.segment(part.first, n).array()).sqrt();
-    const VectorXd data = drawn_mean(rows, specimens, random).array() * fewer.array() *
-                          scatter.specimen_factor.segment(part.first, n).array();
+    const VectorXd both = drawn_mean(rows, specimens, random);
+    const VectorXd least = both.tail(n).array() * fewer.array();
+    const VectorXd data = both.head(n).array() * fewer.array() * scatter.specimen_factor.segment(part.first, n).array();
     MatrixXd again = drawn_rows(part.meshes, random);
     const VectorXd mean = again.colwise().mean();
     again.rowwise() -= mean.transpose();
     meshes.push_back(again);
     repetition.difference.segment(part.first, n) = data - mean;
+    repetition.least_difference.segment(part.first, n) = least - mean;
   }
   for (Index i = 0; i < repetition.difference.size(); ++i)
     repetition.difference(i) += comparison.instrument_sd(i) * random.normal();

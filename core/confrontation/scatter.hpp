@@ -24,6 +24,8 @@ Eigen::MatrixXd covariance_from(const Comparison& comparison, const std::vector<
 /// The whole comparison done once more without any discrepancy: other specimens, other meshes, other instruments.
 struct Repetition {
   Eigen::VectorXd difference;  ///< Data less model.
+  Eigen::VectorXd
+      least_difference;        ///< The same by the meshes' own scatter alone: no floors, instruments, rougher rock.
   Eigen::MatrixXd covariance;  ///< As it would have been estimated.
 };
 
