@@ -32,6 +32,7 @@ FeatureValue peak_load(const CurveShape& shape) {
   return {shape.peak + base_load(shape.reading), ""};
 }
 
+/// Eq. (F28).
 FeatureValue largest_load(const CurveShape& shape) {
   if (shape.first.path.size() < kLeastRows || shape.peak <= 0.0)
     return absent("the curve has fewer than ten rows, or bears nothing");

@@ -77,7 +77,7 @@ const std::vector<ForeignLibrary>& foreign_libraries() {
   static const std::vector<ForeignLibrary> libraries{
       {"VTK", std::regex("vtk.*"), std::regex("render/.*\\.cpp")},
       {"CGAL", std::regex("CGAL/.*"), std::regex("core/geometry/[^/]*\\.cpp")},
-      {"OpenTURNS", std::regex("openturns/.*"), std::regex("core/calibration/[^/]*\\.cpp")},
+      {"OpenTURNS", std::regex("openturns/.*"), std::regex("core/(calibration|confrontation)/[^/]*\\.cpp")},
       {"CLI11", std::regex("CLI/.*"), std::regex("app/.*")}};
   return libraries;
 }
