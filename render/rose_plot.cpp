@@ -98,8 +98,10 @@ void draw_axis(Drawing& drawing, const Circle& circle, const RosePlot& plot) {
   const Vec2 head = circle.at(plot.axis_deg, circle.radius + kOverhang);
   add_line(drawing, circle.at(plot.axis_deg + 180, circle.radius + kOverhang), head, stroke);
   const bool upright = std::abs(std::cos(plot.axis_deg * kDegree)) < 0.5;
-  const Vec2 shift = upright ? Vec2{kTextGap, 0.5 * kTextSize} : Vec2{0, -kTextGap};
-  drawing.shapes.push_back(text_at(head + shift, plot.axis_label, upright ? Anchor::left : Anchor::right, style::kInk));
+  // Beside the end of an upright line; over that of a level one, clear of the circle.
+  const Vec2 at = upright ? head + Vec2{kTextGap, 0.5 * kTextSize}
+                          : circle.at(plot.axis_deg, circle.radius + 0.5 * kTextGap) - Vec2{0, kTextGap};
+  drawing.shapes.push_back(text_at(at, plot.axis_label, Anchor::left, style::kInk));
 }
 
 void draw_rose(Drawing& drawing, const RosePlot& plot, const Rose& rose, const Box& room, double share) {
