@@ -13,6 +13,8 @@ using html::ColumnKind;
 
 std::string percent(double share) { return std::isfinite(share) ? fmt::format("{:.0f}", 100.0 * share) : "–"; }
 
+std::string one_decimal(double value) { return std::isfinite(value) ? fmt::format("{:.1f}", value) : "–"; }
+
 PlainTable candidates_table(const ConfrontationData& data) {
   PlainTable table{
       "Candidates that were refitted together with the microparameters, the best fit first. Misfit: "
@@ -30,8 +32,9 @@ PlainTable candidates_table(const ConfrontationData& data) {
     const std::string id = c["id"].text();
     table.rows.push_back(
         {{mechanism_name(id) + (c["suspect"].truth() ? ", a setting of the solver" : ""),
-          amplitude_words(id, c["amplitude"].number(), c["amplitude_error"].number()), figures(c["misfit"].number()),
-          figures(c["explained"].number()), percent(c["absorbed_share"].number()),
+          amplitude_words(id, c["amplitude"].number(), c["amplitude_error"].number()),
+          one_decimal(c["misfit"].number()), one_decimal(c["explained"].number()),
+          percent(c["absorbed_share"].number()),
           (kept ? "kept: " : "refuted: ") + hypothesis_words(c["p_misfit"].number(), c["p_excess"].number())},
          kept ? html::RowTone::good : html::RowTone::quiet});
   }
@@ -53,7 +56,7 @@ PlainTable pairs_table(const ConfrontationData& data) {
       strengths.push_back(amplitude_words(ids[i].text(), amplitudes[i], errors[i]));
     const bool kept = p["kept"].truth();
     table.rows.push_back(
-        {{causes_words(p["ids"]), joined(strengths), figures(p["misfit"].number()),
+        {{causes_words(p["ids"]), joined(strengths), one_decimal(p["misfit"].number()),
           (kept ? "kept: " : "refuted: ") + hypothesis_words(p["p_misfit"].number(), p["p_excess"].number())},
          kept ? html::RowTone::good : html::RowTone::quiet});
   }

@@ -164,11 +164,14 @@ std::vector<PlainFigure> pattern_figures(const ConfrontationData& data) {
     const fs::path png = fs::path("pictures") / (std::string(word(test.experiment)) + ".png");
     if (!draw_pattern(data, test, data.folder / png) && !fs::exists(data.folder / png)) continue;
     drawn.insert(test.experiment);
-    const std::string both = data.extension.empty() ? "the base" : "the base (left) and the extension (right)";
-    figures.push_back({png, "", "Crack networks at the end of test " + test.id + " in " + both + ", on the same mesh.",
-                       test_title(test) + ": cracks at the end of the first mesh's run of " + both +
-                           ", at one scale. Blue: broken in tension; vermilion with a white core: in shear; thin "
-                           "purple: softening."});
+    const bool both = !data.extension.empty();
+    figures.push_back(
+        {png, "",
+         "Crack networks at the end of test " + test.id +
+             (both ? ": the base left, the extension right." : " in the base."),
+         test_title(test) + ": cracks at the end of the first mesh's run" +
+             (both ? " of the base (left) and of the extension (right), at one scale." : " of the base.") +
+             " Blue: broken in tension; vermilion with a white core: in shear; thin purple: softening."});
   }
   return figures;
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/confrontation/confrontation_chapters.hpp"
@@ -55,6 +56,51 @@ std::string pair_words(const ConfrontationData& data) {
   std::vector<std::string> names;
   for (const std::string& id : causes_of(data)) names.push_back(mechanism_name(id));
   return joined(names);
+}
+
+/// Fitted tests of which nothing is compared: the verdict does not rest on them.
+std::vector<Note> silent_tests(const ConfrontationData& data) {
+  std::vector<std::string> silent;
+  for (const ShownTest& test : data.tests) {
+    const auto speaks = [&](const ShownSlot& slot) { return slot.test == test.id; };
+    if (!test.kept_back && std::none_of(data.slots.begin(), data.slots.end(), speaks)) silent.push_back(test.id);
+  }
+  if (silent.empty()) return {};
+  return {{html::NoticeKind::warning,
+           "No feature of " + joined(silent) + " could be compared, so the verdict does not rest on " +
+               (silent.size() == 1 ? "this test" : "these tests") + "; why stands under \"What is wrong\"."}};
+}
+
+/// Where a parameter ended at its limit: what it would absorb beyond counts as absorbed.
+std::vector<Note> limits(const ConfrontationData& data) {
+  std::vector<std::string> names;
+  for (const Value& p : data.verdict["parameters"].items()) {
+    if (p["at_limit"].truth()) names.push_back(p["label"].text().empty() ? p["name"].text() : p["label"].text());
+  }
+  if (names.empty()) return {};
+  double worst = 0.0;
+  for (const ShownSlot& slot : data.slots) worst = std::max(worst, std::abs(slot.z_base));
+  return {
+      {html::NoticeKind::warning,
+       fmt::format("Calibration ended at the limit of what is allowed for {}. Features are left as far as {} standard "
+                   "deviations from the base, yet what this parameter would absorb beyond its limit counts as "
+                   "absorbed: the verdict speaks of the rest alone. Give it more room, or take a nearer base.",
+                   joined(names), figures(worst, 2))}};
+}
+
+/// Kept causes whose strength lies beyond what could be run.
+std::vector<Note> extrapolations(const ConfrontationData& data) {
+  std::vector<Note> notes;
+  for (const Value& single : data.verdict["candidates"].items()) {
+    const ShownCandidate* candidate = find_candidate(data, single["id"].text());
+    const double amplitude = single["amplitude"].number();
+    if (!candidate || !single["kept"].truth() || !(std::abs(amplitude) > candidate->most)) continue;
+    notes.push_back({html::NoticeKind::warning,
+                     fmt::format("The strength of {} is extrapolated: {} of the declared strong one, while its "
+                                 "parameters' ranges end at {}. The extended model is run with that.",
+                                 mechanism_name(candidate->id), figures(amplitude), figures(candidate->most))});
+  }
+  return notes;
 }
 
 std::vector<std::string> named_sentences(const ConfrontationData& data) {
@@ -154,6 +200,9 @@ std::vector<Note> verdict_alarms(const ConfrontationData& data) {
                            " is among the possible causes. It says nothing of the rock; settle it before any mechanism "
                            "of the rock is believed."});
   }
+  for (const Note& note : silent_tests(data)) notes.push_back(note);
+  for (const Note& note : limits(data)) notes.push_back(note);
+  for (const Note& note : extrapolations(data)) notes.push_back(note);
   return notes;
 }
 

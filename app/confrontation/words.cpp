@@ -30,6 +30,14 @@ ParameterAt parameter_at(const MechanismParameter& p, double amplitude, double e
   return {*p.neutral + amplitude * (p.strong - *p.neutral), std::abs(error * (p.strong - *p.neutral))};
 }
 
+/// "0.17 ± 0.03 MPa", or that the range of the library does not reach so far.
+std::string value_words(const MechanismParameter& p, const ParameterAt& at) {
+  const std::string unit = p.unit == "1" ? "" : " " + p.unit;
+  if (at.value < p.lowest || at.value > p.highest)
+    return "beyond its range of " + figures(p.lowest) + " to " + figures(p.highest) + unit;
+  return figures_with_error(at.value, at.error) + unit;
+}
+
 bool follows(const MechanismParameter& p, double amplitude) { return p.neutral || (p.reciprocal && amplitude != 0.0); }
 
 }  // namespace
@@ -80,9 +88,7 @@ std::string parameter_words(const std::string& id, double amplitude, double erro
   std::vector<std::string> all;
   for (const MechanismParameter& p : declaration->parameters) {
     if (!follows(p, amplitude)) continue;
-    const ParameterAt at = parameter_at(p, amplitude, error);
-    const std::string unit = p.unit == "1" ? "" : " " + p.unit;
-    all.push_back(feature_words(p.key) + " " + figures_with_error(at.value, at.error) + unit);
+    all.push_back(feature_words(p.key) + " " + value_words(p, parameter_at(p, amplitude, error)));
   }
   return joined(all);
 }

@@ -43,13 +43,20 @@ PlainTable wrong_table(const ConfrontationData& data) {
   return table;
 }
 
+/// One row a test and reason.
 PlainTable dropped_table(const ConfrontationData& data) {
   PlainTable table{"Features that were not compared.",
-                   {{"Test", "", ColumnKind::head}, {"Feature", "", ColumnKind::text}, {"Why", "", ColumnKind::prose}},
+                   {{"Test", "", ColumnKind::head}, {"Why", "", ColumnKind::text}, {"Features", "", ColumnKind::prose}},
                    {}};
-  for (const Value& d : data.verdict["left_out"].items())
-    table.rows.push_back(
-        {{d["test"].text(), feature_words(d["feature"].text()), d["why"].text()}, html::RowTone::quiet});
+  for (const Value& d : data.verdict["left_out"].items()) {
+    const std::string test = d["test"].text(), why = d["why"].text(), feature = feature_words(d["feature"].text());
+    const auto same = std::find_if(table.rows.begin(), table.rows.end(),
+                                   [&](const PlainRow& row) { return row.cells[0] == test && row.cells[1] == why; });
+    if (same == table.rows.end())
+      table.rows.push_back({{test, why, feature}, html::RowTone::quiet});
+    else
+      same->cells[2] += ", " + feature;
+  }
   return table;
 }
 

@@ -1,0 +1,134 @@
+"""`asperity confront` on tiny discs: verdict, the runs that are shown, the page and its Markdown, and pictures of confusion
+matrices. The measured numbers are made up: as strong as the base, and softer."""
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+
+import support
+from report_page import Page, check_self_contained
+from support import SCRATCH
+
+HERE = pathlib.Path(__file__).resolve().parent
+CONFRONTATION = HERE / "tiny_confrontation.json"
+SECONDS = 900  # some fifty runs of a third of a second each, on a machine that may be busy with other tests
+WORDS = {"nothing_found": "Nothing found", "named": "One mechanism of the library explains it", "unexplained": "Unexplained",
+         "indistinguishable": "mechanisms explain it", "two_causes": "these two together do"}
+MATRIX = {"rows": ["seating", "none"], "columns": ["seating", "nothing found"], "counts": [[9, 1], [0, 10]]}
+
+
+def asperity(*arguments):
+    return subprocess.run(support.command(*arguments), capture_output=True, text=True, timeout=SECONDS, cwd=SCRATCH,
+                          env=support.environment())
+
+
+class Confront(support.CommandLineTest):
+    @classmethod
+    def setUpClass(cls):
+        """One confrontation serves all tests."""
+        cls.folder = SCRATCH / "tiny"
+        cls.result = asperity("confront", CONFRONTATION, "--store", SCRATCH / "store", "--out", cls.folder, "--quiet")
+
+    def page(self, folder):
+        text = (folder / "report.html").read_text(encoding="utf-8")
+        page = Page(text)
+        check_self_contained(self, folder, text, page)
+        return page
+
+    def verdict(self):
+        return json.loads((self.folder / "verdict.json").read_text())
+
+    def test_the_verdict_is_written_and_printed(self):
+        self.assertEqual(self.result.returncode, 0, self.result.stderr)
+        verdict = self.verdict()
+        self.assertIn("status " + " ".join([verdict["status"], *verdict["causes"]]), self.result.stdout)
+        self.assertIn("frame_compliance", verdict["causes"])  # the only thing that softens a disc as a whole
+        for name in ("config.original.json", "manifest.json", "shown.json", "report.html", "report.md", "configs/tiny_B1.json"):
+            self.assertTrue((self.folder / name).is_file(), name)
+
+    def test_the_page_says_the_verdict_and_has_every_chapter(self):
+        page, verdict = self.page(self.folder), self.verdict()
+        self.assertEqual(page.sections(), ["Verdict", "What is wrong", "The cause", "The gain", "Failure patterns",
+                                           "What these data could not have shown", "What was declared or assumed", "Provenance"])
+        words = re.sub(r"\s+", " ", page.words)
+        self.assertIn(WORDS[verdict["status"]], words)
+        for text in ("compliance of the loading frame (frame_compliance)", "stiffness", verdict["data_sha256"], "tiny_discs",
+                     "not measured | not needed", "Tests kept back", "contact tensile strength", "decoy" if verdict["gain"]["decoys"] else "gain"):
+            self.assertIn(text, words)
+        self.assertEqual({i["src"] for i in page.images}, {"plots/residuals.png", "plots/fingerprints.png", "plots/cosines.png",
+                                                           "pictures/brazilian.png"})
+
+    def test_the_markdown_has_the_same_chapters_and_pictures(self):
+        text = (self.folder / "report.md").read_text()
+        self.assertEqual(re.findall(r"^## (.*)$", text, re.M), self.page(self.folder).sections())
+        pictures = re.findall(r"^!\[.{20,}\]\((.*)\)$", text, re.M)
+        self.assertEqual(len(pictures), 4)
+        for picture in pictures:
+            self.assertTrue((self.folder / picture).is_file(), picture)
+
+    def test_shown_runs_are_of_both_models_on_the_same_meshes(self):
+        shown = json.loads((self.folder / "shown.json").read_text())
+        self.assertEqual(shown["extension"], self.verdict()["gain"]["causes"])
+        for test in shown["tests"]:
+            for model in ("base", "extension"):
+                self.assertEqual([r["seed"] for r in test[model]], [1, 2, 3])
+                self.assertTrue(all(r["finished"] and len(r["path"]) == len(r["load"]) > 50 for r in test[model]))
+                self.assertAlmostEqual(max(test[model][0]["load"]), test[model][0]["features"]["peak_load_n_per_mm"], delta=1e-3)
+        self.assertEqual(len(shown["candidates"]), 2)
+        self.assertTrue(all(len(c["projected"]) == len(shown["slots"]) for c in shown["candidates"]))
+
+    def test_the_page_is_made_anew_from_the_folder_alone(self):
+        copy = SCRATCH / "copy"
+        shutil.copytree(self.folder, copy)
+        shutil.rmtree(copy / "plots")
+        shown = json.loads((copy / "shown.json").read_text())
+        for test in shown["tests"]:
+            for run in test["base"] + test["extension"]:
+                run["folder"] = "gone"
+        (copy / "shown.json").write_text(json.dumps(shown))
+        before = (self.folder / "report.html").read_bytes()
+        result = asperity("report", copy)
+        self.assertEqual((result.returncode, result.stdout), (0, f"{copy}/report.html\n"), result.stderr)
+        self.assertEqual((copy / "report.html").read_bytes(), before)
+        self.assertEqual((copy / "plots/residuals.png").read_bytes(), (self.folder / "plots/residuals.png").read_bytes())
+
+    def test_without_a_report_there_is_the_same_verdict_and_nothing_to_show(self):
+        bare = SCRATCH / "bare"
+        before = len(list((SCRATCH / "store").iterdir()))
+        result = asperity("confront", CONFRONTATION, "--store", SCRATCH / "store", "--out", bare, "--quiet", "--no-report")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn(" 0 computed", result.stdout)
+        self.assertEqual((bare / "verdict.json").read_bytes(), (self.folder / "verdict.json").read_bytes())
+        self.assertEqual(sorted(p.name for p in bare.iterdir()), ["config.original.json", "configs", "manifest.json", "verdict.json"])
+        self.assertEqual(len(list((SCRATCH / "store").iterdir())), before)
+        result = asperity("report", bare)
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("shown.json: is missing", result.stderr)
+        self.assertIn("--no-report", result.stderr)
+
+    def test_a_confusion_matrix_is_drawn(self):
+        source = SCRATCH / "confusion.json"
+        source.write_text(json.dumps(MATRIX))
+        for target in (SCRATCH / "confusion.png", SCRATCH / "confusion.svg"):
+            result = asperity("report", "--confusion", source, "--out", target)
+            self.assertEqual((result.returncode, result.stdout), (0, f"{target}\n"), result.stderr)
+            self.assertGreater(target.stat().st_size, 2000)
+        self.assertIn(">nothing found<", (SCRATCH / "confusion.svg").read_text())
+
+    def test_what_is_no_confusion_matrix_is_refused(self):
+        source = SCRATCH / "wrong.json"
+        for change, words, code in (({"counts": [[9, 1]]}, "another number of rows", 3), ({"counts": [[9, -1], [0, 10]]}, "no count", 3),
+                                    ({"rows": 3}, "another type", 3)):
+            source.write_text(json.dumps({**MATRIX, **change}))
+            result = asperity("report", "--confusion", source)
+            self.assertEqual(result.returncode, code, result.stderr)
+            self.assertIn(words, result.stderr)
+        source.write_text(json.dumps(MATRIX))
+        result = asperity("report", "--confusion", source, "--out", SCRATCH / "matrix.pdf")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(".png or .svg", result.stderr)
+
+
+if __name__ == "__main__":
+    support.main()

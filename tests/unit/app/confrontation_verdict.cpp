@@ -1,0 +1,140 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/confrontation/confrontation_chapters.hpp"
+#include "app/confrontation/confrontation_pictures.hpp"
+
+using namespace asperity;
+using namespace asperity::app;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// A verdict on two features of one test with two candidates.
+struct Documents {
+  Json verdict = Json::parse(R"({"status": "named", "causes": ["platen_friction"],
+    "candidates": [{"id": "platen_friction", "amplitude": 0.8, "amplitude_error": 0.1, "misfit": 1.5, "kept": true,
+                    "p_misfit": 0.4, "p_excess": 1, "explained": 40, "absorbed_share": 0.2, "suspect": false},
+                   {"id": "mesh_size", "amplitude": 0.5, "amplitude_error": 0.1, "misfit": 30, "kept": false,
+                    "p_misfit": 0.002, "p_excess": 0.003, "explained": 12, "absorbed_share": 0.7, "suspect": true}],
+    "gate": {"discrepancy": true, "misfit": 41.5, "p_misfit": 1e-7, "p_explained": 0.002, "alarms": []},
+    "parameters": [{"name": "c_c", "label": "cohesion", "unit": "MPa", "value": 2.1, "error": 0.04,
+                    "determined": true, "at_limit": false}],
+    "wrong": [], "left_out": [], "notes": [], "next_tests": [],
+    "gain": {"causes": [], "elpd_change": null, "claimed": false}})");
+  Json shown = Json::parse(R"({"setting": {"name": "case"}, "extension": ["platen_friction"],
+    "tests": [{"id": "U", "experiment": "uniaxial", "use": "fit"},
+              {"id": "T1", "experiment": "triaxial", "use": "fit", "confining_pressure_mpa": 1,
+               "features": {"peak_axial_stress_mpa": [8.1, null]},
+               "base": [{"seed": 1, "path": [0, 0.01], "load": [1, 8], "features": {"peak_axial_stress_mpa": 8}}]},
+              {"id": "T3", "experiment": "triaxial", "use": "hold_out", "confining_pressure_mpa": 3,
+               "features": {"peak_axial_stress_mpa": [14]}}],
+    "slots": [{"test": "U", "feature": "peak_axial_stress_mpa", "projected": 3, "z_base": 5, "z_extension": 0.5},
+              {"test": "U", "feature": "drop_share", "projected": -4, "z_base": -4, "z_extension": -0.2}],
+    "candidates": [{"id": "platen_friction", "suspect": false, "most": 3, "explained": 40, "absorbed_share": 0.2,
+                    "detectable": 0.3, "projected": [3, -4]},
+                   {"id": "mesh_size", "suspect": true, "two_sided": true, "most": 1, "explained": 12,
+                    "absorbed_share": 0.7, "detectable": null, "projected": [-4, -3]}],
+    "seconds": []})");
+  Json manifest = Json::object();
+
+  ConfrontationData data() const {
+    return confrontation_data(".", {&verdict, "verdict: "}, {&shown, "shown: "}, {&manifest, "manifest: "});
+  }
+
+  std::string sentences() const {
+    std::string all;
+    for (const std::string& sentence : verdict_sentences(data())) all += sentence + "\n";
+    return all;
+  }
+};
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("a named cause is told with its own parameter") {
+  const std::string text = Documents().sentences();
+  CHECK(contains(text, "wrong beyond scatter"));
+  CHECK(contains(text, "One mechanism"));
+  CHECK(contains(text, "(platen_friction), friction coefficient 0.240 ± 0.030"));
+  const std::vector<Note> notes = verdict_alarms(Documents().data());
+  REQUIRE(notes.size() == 1);
+  CHECK(contains(notes[0].text, "No feature of T1 could be compared"));
+}
+
+TEST_CASE("every status has words of its own") {
+  Documents d;
+  d.verdict["status"] = "nothing_found";
+  CHECK(contains(d.sentences(), "Nothing found"));
+  d.verdict["status"] = "unexplained";
+  CHECK(contains(d.sentences(), "Unexplained"));
+  d.verdict["status"] = "indistinguishable";
+  d.verdict["causes"] = {"mesh_size", "platen_friction"};
+  CHECK(contains(d.sentences(), "2 mechanisms explain it"));
+  d.verdict["status"] = "two_causes";
+  d.verdict["pairs"] = Json::parse(R"([{"ids": ["mesh_size", "platen_friction"], "amplitudes": [0.5, 0.5],
+                                        "amplitude_errors": [0.1, 0.1], "kept": true}])");
+  CHECK(contains(d.sentences(), "these two together do"));
+  CHECK(contains(d.sentences(), "friction coefficient 0.150 ± 0.030"));
+}
+
+TEST_CASE("alarms, suspects of the solver, limits and extrapolated strengths stand before everything") {
+  Documents d;
+  d.verdict["gate"]["alarms"] = {"the data agree with the simulation better than scatter allows"};
+  d.verdict["causes"] = {"mesh_size", "platen_friction"};
+  d.verdict["parameters"][0]["at_limit"] = true;
+  d.verdict["candidates"][0]["amplitude"] = 7.5;
+  const std::vector<Note> notes = verdict_alarms(d.data());
+  REQUIRE(notes.size() == 5);
+  CHECK(contains(notes[0].text, "Alarm: the data agree"));
+  CHECK(contains(notes[1].text, "(mesh_size)"));
+  CHECK(contains(notes[3].text, "limit of what is allowed for cohesion"));
+  CHECK(contains(notes[3].text, "as far as 5 standard deviations"));
+  CHECK(contains(notes[4].text, "7.5 of the declared strong one"));
+}
+
+TEST_CASE("what data could not have shown is told of every candidate") {
+  const std::string text = markdown_of(limits_chapter(Documents().data()));
+  CHECK(contains(text, "friction coefficient 0.09"));
+  CHECK(contains(text, "not visible at any strength"));
+}
+
+TEST_CASE("a fingerprint is drawn at the strength that explains most, and not below zero") {
+  Documents d;
+  CHECK(explaining_amplitude(d.data(), d.data().candidates[0]) == Approx(1.0));
+  CHECK(explaining_amplitude(d.data(), d.data().candidates[1]) == Approx(0.0).margin(1e-12));
+  const render::BarPanels bars = fingerprint_bars(d.data());
+  REQUIRE(bars.panels.size() == 3);
+  CHECK(bars.panels[1].heading == "platen_friction × 1");
+  CHECK(bars.panels[1].values == std::vector<double>{3, -4});
+  d.shown["candidates"][0]["projected"] = {-3, 4};
+  CHECK(explaining_amplitude(d.data(), d.data().candidates[0]) == 0.0);
+  d.shown["candidates"][0]["two_sided"] = true;
+  CHECK(explaining_amplitude(d.data(), d.data().candidates[0]) == Approx(-1.0));
+}
+
+TEST_CASE("cosines between fingerprints are those of the projected vectors") {
+  const auto matrix = cosine_picture(Documents().data());
+  REQUIRE(matrix.has_value());
+  CHECK(matrix->values[0][0] == Approx(1.0));
+  CHECK(matrix->values[0][1] == Approx(0.0).margin(1e-12));
+  CHECK(cosine({1, 0}, {0, 0}) != cosine({1, 0}, {0, 0}));  // NaN
+}
+
+TEST_CASE("strengths are drawn over confining pressure, kept-back ones apart") {
+  const auto figure = strength_figure(Documents().data());
+  REQUIRE(figure.has_value());
+  std::vector<std::string> labels;
+  for (const render::Layer& layer : figure->charts.front().layers) {
+    if (const auto* points = std::get_if<render::PointLayer>(&layer)) labels.push_back(points->label);
+  }
+  CHECK(labels == std::vector<std::string>{"measured, fitted", "measured, kept back"});
+  CHECK_FALSE(joint_strength_figure(Documents().data()).has_value());
+}
+
+TEST_CASE("a fingerprint of another length than the slots is refused") {
+  Documents d;
+  d.shown["candidates"][0]["projected"] = {1};
+  CHECK_THROWS_WITH(d.data(), Catch::Contains("platen_friction") && Catch::Contains("slots"));
+}
