@@ -121,7 +121,7 @@ class Report(support.CommandLineTest):
     def test_what_is_no_calibration_is_one_clear_error(self):
         empty = SCRATCH / "empty"
         empty.mkdir()
-        self.assertIn("holds neither calibration.json nor a run", self.fail_with(3, "report", empty))
+        self.assertIn("holds neither calibration.json, verdict.json nor a run", self.fail_with(3, "report", empty))
         self.assertIn("reports of comparisons", self.fail_with(3, "report", empty))
         self.assertIn("is no folder", self.fail_with(3, "report", SCRATCH / "nowhere"))
         self.fail_with(2, "report")
