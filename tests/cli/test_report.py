@@ -122,7 +122,6 @@ class Report(support.CommandLineTest):
         empty = SCRATCH / "empty"
         empty.mkdir()
         self.assertIn("holds neither calibration.json, verdict.json nor a run", self.fail_with(3, "report", empty))
-        self.assertIn("reports of comparisons", self.fail_with(3, "report", empty))
         self.assertIn("is no folder", self.fail_with(3, "report", SCRATCH / "nowhere"))
         self.fail_with(2, "report")
 
