@@ -11,7 +11,7 @@
 namespace asperity::render {
 namespace {
 
-constexpr double kMargin = 36, kGap = 14, kBetween = 26;                         // pixels
+constexpr double kMargin = 36, kGap = 14, kBetween = 40;                         // pixels
 constexpr double kRow = 38, kGroupGap = 14, kBar = 22;                           // pixels
 constexpr double kNameSize = 23, kHeadingSize = 24, kTickSize = 22, kLine = 32;  // pixels
 constexpr double kLeastReach = 3;  // of the scale, so that small residuals look small

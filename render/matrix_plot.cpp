@@ -110,7 +110,7 @@ void draw_lines(Drawing& drawing, const MatrixPlot& p, const Layout& l) {
     add_line(drawing, {x, l.frame.top}, {x, l.frame.bottom}, thin);
   }
   add_frame(drawing, l.frame, {style::kInk, 2, {}, Cap::butt});
-  for (std::size_t i = 0; i < p.rows.size(); ++i) {
+  for (std::size_t i = 0; i < p.rows.size() && p.frame_same_names; ++i) {
     for (std::size_t j = 0; j < p.columns.size(); ++j) {
       if (p.rows[i] != p.columns[j]) continue;
       const double left = l.frame.left + static_cast<double>(j) * l.cell;
@@ -195,10 +195,11 @@ MatrixPlot confusion_matrix(const std::vector<std::string>& rows, const std::vec
                             const std::vector<std::vector<double>>& counts) {
   MatrixPlot plot;
   plot.title = "What was hidden, and what was named";
-  plot.caption = "Numbers: data sets, an empty cell none. Colour: share of the row. Framed: the right name.";
+  plot.caption = "Numbers: data sets, an empty cell: none. Colour: share of the row. Framed: the right name.";
   plot.rows_title = "hidden";
   plot.columns_title = "named";
   plot.value_label = "share of the row [–]";
+  plot.frame_same_names = true;
   plot.rows = rows;
   plot.columns = columns;
   for (const std::vector<double>& row : counts) {
@@ -206,7 +207,7 @@ MatrixPlot confusion_matrix(const std::vector<std::string>& rows, const std::vec
     plot.values.emplace_back();
     plot.texts.emplace_back();
     for (const double count : row) {
-      plot.values.back().push_back(sum > 0.0 ? count / sum : NAN);
+      plot.values.back().push_back(count > 0.0 ? count / sum : NAN);
       plot.texts.back().push_back(count > 0.0 ? fmt::format("{:g}", count) : "");
     }
     plot.row_notes.push_back(fmt::format("n = {:g}", sum));
@@ -219,7 +220,7 @@ MatrixPlot cosine_matrix(const std::vector<std::string>& names, const std::vecto
   plot.title = "Likeness of the fingerprints";
   plot.caption =
       "Cosine between what two mechanisms change, in standard deviations and without what calibration absorbs. Near 1: "
-      "these tests tell them apart by little but strength; near 0: clearly.";
+      "these tests hardly tell them apart; near 0: clearly.";
   plot.value_label = "cosine [–]";
   plot.rows = plot.columns = names;
   plot.values = cosines;

@@ -17,13 +17,15 @@ struct MatrixPlot {
   std::vector<std::string> row_notes;           ///< Behind the rows; may be empty.
   Range range{0, 1};
   ColourMap map = ColourMap::magma_light_to_dark;
+  bool frame_same_names = false;  ///< Of row and column.
 };
 
-/// The picture grows with the number of cells; one whose row and column have the same name is framed. Throws
+/// The picture grows with the number of cells. Throws
 /// Error(config) where the sizes of the parts do not go together or there is no cell.
 Drawing draw_matrix(const MatrixPlot& plot);
 
-/// What was hidden (rows) against what was named (columns): counts in the cells, coloured by their share of the row.
+/// What was hidden (rows) against what was named (columns): counts in the cells, coloured by their share of the row;
+/// none: a white cell.
 MatrixPlot confusion_matrix(const std::vector<std::string>& rows, const std::vector<std::string>& columns,
                             const std::vector<std::vector<double>>& counts);
 

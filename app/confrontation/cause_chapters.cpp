@@ -88,7 +88,7 @@ void add_pictures(const ConfrontationData& data, Chapter& chapter) {
     chapter.blocks.emplace_back(
         draw_matrix(data, *cosines,
                     {"cosines", "", "Matrix of the cosines between the leading mechanisms' projected fingerprints.",
-                     "Cosines near 1 or -1 mean that these tests can hardly tell two mechanisms apart."}));
+                     "The larger a cosine, the less these tests tell two mechanisms apart."}));
 }
 
 }  // namespace

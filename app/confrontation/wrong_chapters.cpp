@@ -87,13 +87,11 @@ Chapter wrong_chapter(const ConfrontationData& data) {
   Chapter chapter{"What is wrong", {}};
   if (data.slots.empty()) return chapter;
   chapter.blocks.emplace_back(Paragraph{summary_words(data)});
+  const std::string models = data.extension.empty() ? "of the base." : "of the base and of the extension.";
   chapter.blocks.emplace_back(draw_bars(
       data, residual_bars(data),
-      {"residuals", "",
-       "Bars of measured less simulated features in standard deviations, test by test, of the base and of the "
-       "extension.",
-       "Residuals of the fitted tests in standard deviations, not projected. The extension's are those left "
-       "after its refit."}));
+      {"residuals", "", "Bars of measured less simulated features in standard deviations, test by test, " + models,
+       "Residuals of the fitted tests in standard deviations, not projected, " + models}));
   chapter.blocks.emplace_back(wrong_table(data));
   if (PlainTable dropped = dropped_table(data); !dropped.rows.empty()) chapter.blocks.emplace_back(std::move(dropped));
   return chapter;
