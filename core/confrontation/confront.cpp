@@ -62,7 +62,7 @@ void simulate_effects(const ConfrontationTask& task, Confrontation& state) {
   simulate_evidence(state.evidence, plan, state.centre, "effects", task.configure, task.features);
   compare_fitted(state, task.options);
   if (!screened) return;
-  const WhitenedFrame frame(state.scatter.covariance, state.base.jacobian);
+  const WhitenedFrame frame(state.scatter.covariance, state.base.absorbing);
   Gate first;
   first.pattern = pattern_of(frame, state.base.difference, state.fitted.fingerprint, state.evidence.candidates);
   plan.candidate_meshes = worthwhile_meshes(task, first);
@@ -128,6 +128,15 @@ void measure_gains(const ConfrontationTask& task, Confrontation& state, const Hy
   }
 }
 
+std::vector<Hypothesis> linear_hypotheses(const Confrontation& state, const std::vector<std::vector<Index>>& lists) {
+  std::vector<Hypothesis> hypotheses;
+  for (const std::vector<Index>& causes : lists) {
+    hypotheses.push_back(held_within(linear_hypothesis(state.fitted, state.base, causes), state.evidence.parameters,
+                                     state.scatter.covariance, state.evidence.candidates));
+  }
+  return hypotheses;
+}
+
 }  // namespace
 
 Confrontation confront(ConfrontationTask task) {
@@ -139,11 +148,7 @@ Confrontation confront(ConfrontationTask task) {
   simulate_effects(task, state);
   state.gate = gate(state.fitted, state.scatter, state.base, state.evidence.candidates, task.options.draws);
   const HypothesisMaker make = [&](const std::vector<std::vector<Index>>& lists) {
-    if (by_runs) return hypotheses_by_runs(task, state, lists);
-    std::vector<Hypothesis> hypotheses;
-    for (const std::vector<Index>& causes : lists)
-      hypotheses.push_back(linear_hypothesis(state.fitted, state.base, causes));
-    return hypotheses;
+    return by_runs ? hypotheses_by_runs(task, state, lists) : linear_hypotheses(state, lists);
   };
   state.conclusion =
       conclude(state.fitted, state.scatter, state.base, state.gate, state.evidence.candidates, make, task.options);

@@ -137,7 +137,10 @@ Hypothesis refitted_by_runs(const ConfrontationTask& task, const Confrontation& 
 std::vector<Hypothesis> hypotheses_by_runs(const ConfrontationTask& task, const Confrontation& state,
                                            const std::vector<std::vector<Index>>& lists) {
   std::vector<Hypothesis> hypotheses;
-  for (const std::vector<Index>& causes : lists) hypotheses.push_back(refitted_by_runs(task, state, causes));
+  for (const std::vector<Index>& causes : lists) {
+    hypotheses.push_back(held_within(refitted_by_runs(task, state, causes), state.evidence.parameters,
+                                     state.scatter.covariance, state.evidence.candidates));
+  }
   return hypotheses;
 }
 

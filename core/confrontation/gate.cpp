@@ -71,7 +71,7 @@ double gamma_tail(const std::vector<double>& sample, double value) {
 
 Gate gate(const Comparison& comparison, const Scatter& scatter, const BaseFit& fit,
           const std::vector<Candidate>& candidates, const GateOptions& options) {
-  const WhitenedFrame frame(scatter.covariance, fit.jacobian);
+  const WhitenedFrame frame(scatter.covariance, fit.absorbing);
   Gate gate;
   gate.pattern = pattern_of(frame, fit.difference, comparison.fingerprint, candidates);
   describe_candidates(comparison, frame, gate);
@@ -81,7 +81,7 @@ Gate gate(const Comparison& comparison, const Scatter& scatter, const BaseFit& f
     const Repetition again = repeat(comparison, scatter, options.noise, random);
     const VectorXd difference = again.difference + drawn_parameter_error(comparison, fit, random);
     const Pattern drawn =
-        pattern_of(WhitenedFrame(again.covariance, fit.jacobian), difference, comparison.fingerprint, candidates);
+        pattern_of(WhitenedFrame(again.covariance, fit.absorbing), difference, comparison.fingerprint, candidates);
     misfits.push_back(drawn.misfit);
     explained.push_back(drawn.explained.size() > 0 ? drawn.explained.maxCoeff() : 0.0);
   }

@@ -13,17 +13,24 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-VectorXd least_change(const std::vector<Candidate>& candidates, const Hypothesis& h) {
-  VectorXd least(h.amplitude.size());
-  for (Index i = 0; i < least.size(); ++i) {
-    const bool two_sided = candidates[static_cast<std::size_t>(h.causes[static_cast<std::size_t>(i)])].two_sided;
-    least(i) = two_sided ? -std::numeric_limits<double>::max() : -h.amplitude(i);
+/// How far each amplitude may still go from where the hypothesis was run.
+struct AmplitudeRange {
+  VectorXd least, greatest;
+};
+
+AmplitudeRange range_of(const std::vector<Candidate>& candidates, const Hypothesis& h) {
+  AmplitudeRange range{-h.amplitude, -h.amplitude};
+  for (Index i = 0; i < h.amplitude.size(); ++i) {
+    const Candidate& c = candidates[static_cast<std::size_t>(h.causes[static_cast<std::size_t>(i)])];
+    if (c.two_sided) range.least(i) -= c.most;
+    range.greatest(i) += c.most;
   }
-  return least;
+  return range;
 }
 
-AmplitudeFit refit(const WhitenedFrame& frame, const VectorXd& difference, const Hypothesis& h, const VectorXd& least) {
-  return fit_amplitudes(frame.project(difference), frame.project(h.directions), least);
+AmplitudeFit refit(const WhitenedFrame& frame, const VectorXd& difference, const Hypothesis& h,
+                   const AmplitudeRange& range) {
+  return fit_amplitudes(frame.project(difference), frame.project(h.directions), range.least, range.greatest);
 }
 
 MatrixXd beside(const MatrixXd& a, const MatrixXd& b) {
@@ -68,7 +75,7 @@ void judge_one(const Comparison& comparison, const Scatter& scatter, const BaseF
       const Hypothesis& h = hypotheses[j];
       const VectorXd difference = h.difference - fit.residual + noise.error;
       const WhitenedFrame frame(noise.covariance, h.jacobian);
-      const double misfit = refit(frame, difference, h, least_change(candidates, h)).misfit;
+      const double misfit = refit(frame, difference, h, range_of(candidates, h)).misfit;
       best = std::min(best, misfit);
       if (j == k) own = misfit;
     }
@@ -99,7 +106,7 @@ SecondCause strongest(const Comparison& comparison, const WhitenedFrame& frame, 
 HypothesisFit fit_hypothesis(const MatrixXd& covariance, const std::vector<Candidate>& candidates,
                              const Hypothesis& h) {
   const WhitenedFrame frame(covariance, h.jacobian);
-  const AmplitudeFit change = refit(frame, h.difference, h, least_change(candidates, h));
+  const AmplitudeFit change = refit(frame, h.difference, h, range_of(candidates, h));
   const MatrixXd columns = frame.project(h.directions);
   const Index causes = columns.cols();
   HypothesisFit fit;
@@ -124,6 +131,29 @@ std::vector<Index> refit_candidates(const Gate& gate, const NamingOptions& optio
   order.erase(std::find_if(order.begin(), order.end(), far), order.end());
   if (order.size() > options.most) order.resize(options.most);
   return order;
+}
+
+Hypothesis held_within(Hypothesis h, const std::vector<CalibratedParameter>& parameters, const MatrixXd& covariance,
+                       const std::vector<Candidate>& candidates) {
+  constexpr double kRounding = 1e-9;
+  for (std::size_t held = 0; held < parameters.size(); ++held) {
+    const HypothesisFit fit = fit_hypothesis(covariance, candidates, h);
+    Index worst = -1;
+    double most = kRounding, bound = 0.0;
+    for (Index p = 0; p < fit.coded.size(); ++p) {
+      const CalibratedParameter& parameter = parameters[static_cast<std::size_t>(p)];
+      const double within = std::clamp(fit.coded(p), parameter.lower, parameter.upper);
+      if (std::abs(fit.coded(p) - within) <= most) continue;
+      worst = p;
+      most = std::abs(fit.coded(p) - within);
+      bound = within;
+    }
+    if (worst < 0) break;
+    h.difference -= h.jacobian.col(worst) * (bound - h.coded(worst));
+    h.coded(worst) = bound;
+    h.jacobian.col(worst).setZero();
+  }
+  return h;
 }
 
 Hypothesis linear_hypothesis(const Comparison& comparison, const BaseFit& fit, std::vector<Index> causes) {

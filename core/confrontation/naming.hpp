@@ -38,6 +38,11 @@ struct NamingOptions {
   std::size_t most_pairs = 3;  ///< Single causes that a second one is sought to.
 };
 
+/// The hypothesis with every parameter that its refit would take beyond what is believed held at that limit: there it
+/// absorbs nothing more.
+Hypothesis held_within(Hypothesis hypothesis, const std::vector<CalibratedParameter>& parameters,
+                       const Eigen::MatrixXd& covariance, const std::vector<Candidate>& candidates);
+
 /// Refits one hypothesis: all of HypothesisFit but what draws and rivals say.
 HypothesisFit fit_hypothesis(const Eigen::MatrixXd& covariance, const std::vector<Candidate>& candidates,
                              const Hypothesis& hypothesis);

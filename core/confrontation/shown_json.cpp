@@ -149,7 +149,7 @@ ordered_json setting_json(const ConfrontationConfig& config) {
 
 /// The slots in the order of all vectors here; `extended` over the deviations of its slot.
 ordered_json slots_json(const Confrontation& c) {
-  const WhitenedFrame frame(c.scatter.covariance, c.base.jacobian);
+  const WhitenedFrame frame(c.scatter.covariance, c.base.absorbing);
   const VectorXd residual = frame.project(c.base.difference);
   ordered_json list = ordered_json::array();
   for (const ComparedTest& part : c.fitted.tests) {
@@ -169,7 +169,7 @@ ordered_json slots_json(const Confrontation& c) {
 }
 
 ordered_json candidates_json(const Confrontation& c) {
-  const WhitenedFrame frame(c.scatter.covariance, c.base.jacobian);
+  const WhitenedFrame frame(c.scatter.covariance, c.base.absorbing);
   const Eigen::MatrixXd projected = frame.project(c.fitted.fingerprint);
   ordered_json list = ordered_json::array();
   for (std::size_t k = 0; k < c.evidence.candidates.size(); ++k) {

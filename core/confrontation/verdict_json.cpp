@@ -126,7 +126,7 @@ ordered_json detectable_json(const Confrontation& c) {
 }
 
 ordered_json cosines_json(const Confrontation& c) {
-  const WhitenedFrame frame(c.scatter.covariance, c.base.jacobian);
+  const WhitenedFrame frame(c.scatter.covariance, c.base.absorbing);
   ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < c.conclusion.singles.size(); ++i) {
     for (std::size_t j = i + 1; j < c.conclusion.singles.size(); ++j) {

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/error.hpp"
 
@@ -67,20 +68,10 @@ void descend(const Comparison& comparison, const WhitenedFrame& frame,
   }
 }
 
-AmplitudeFit fit_one(const VectorXd& residual, const VectorXd& column, double least) {
+AmplitudeFit fit_one(const VectorXd& residual, const VectorXd& column, double least, double greatest) {
   const double square = column.squaredNorm();
-  const double amplitude = square > 0.0 ? std::max(least, column.dot(residual) / square) : std::max(0.0, least);
+  const double amplitude = std::clamp(square > 0.0 ? column.dot(residual) / square : 0.0, least, greatest);
   return {VectorXd::Constant(1, amplitude), (residual - amplitude * column).squaredNorm()};
-}
-
-/// One of two columns held at its bound.
-AmplitudeFit fit_with_held(const VectorXd& residual, const MatrixXd& columns, const VectorXd& least, Index held) {
-  const Index other = 1 - held;
-  const AmplitudeFit one = fit_one(residual - least(held) * columns.col(held), columns.col(other), least(other));
-  AmplitudeFit fit{VectorXd(2), one.misfit};
-  fit.amplitude(held) = least(held);
-  fit.amplitude(other) = one.amplitude(0);
-  return fit;
 }
 
 }  // namespace
@@ -138,18 +129,34 @@ BaseFit calibrate_base(const Comparison& comparison, const MatrixXd& covariance,
   if (count > 0) descend(comparison, frame, parameters, fit);
   fit.jacobian = jacobian_at(comparison, fit.coded);
   fit.difference = comparison.data - model_at(comparison, fit.coded);
-  fit.covariance = frame.information_inverse(fit.jacobian);
+  fit.absorbing = fit.jacobian;
+  for (Index p = 0; p < count; ++p) {
+    if (fit.limited[static_cast<std::size_t>(p)]) fit.absorbing.col(p).setZero();
+  }
+  fit.covariance = frame.information_inverse(fit.absorbing);
   if (count > 0) fit.error = fit.covariance.diagonal().array().sqrt();
   return fit;
 }
 
-AmplitudeFit fit_amplitudes(const VectorXd& residual, const MatrixXd& columns, const VectorXd& least) {
-  if (columns.cols() == 1) return fit_one(residual, columns.col(0), least(0));
+AmplitudeFit fit_amplitudes(const VectorXd& residual, const MatrixXd& columns, const VectorXd& least,
+                            const VectorXd& greatest) {
+  if (columns.cols() == 1) return fit_one(residual, columns.col(0), least(0), greatest(0));
   const VectorXd free = columns.colPivHouseholderQr().solve(residual);
-  if ((free.array() >= least.array()).all()) return {free, (residual - columns * free).squaredNorm()};
-  const AmplitudeFit first = fit_with_held(residual, columns, least, 0);
-  const AmplitudeFit second = fit_with_held(residual, columns, least, 1);
-  return first.misfit < second.misfit ? first : second;
+  if ((free.array() >= least.array()).all() && (free.array() <= greatest.array()).all())
+    return {free, (residual - columns * free).squaredNorm()};
+  AmplitudeFit best{VectorXd(2), std::numeric_limits<double>::max()};
+  for (const Index held : {0, 1}) {
+    for (const double bound : {least(held), greatest(held)}) {
+      const Index other = 1 - held;
+      const AmplitudeFit one =
+          fit_one(residual - bound * columns.col(held), columns.col(other), least(other), greatest(other));
+      if (one.misfit >= best.misfit) continue;
+      best.misfit = one.misfit;
+      best.amplitude(held) = bound;
+      best.amplitude(other) = one.amplitude(0);
+    }
+  }
+  return best;
 }
 
 }  // namespace asperity

@@ -35,19 +35,20 @@ struct BaseFit {
   std::vector<bool> limited;     ///< At the end of what is believed.
   Eigen::VectorXd difference;    ///< Data less the model there.
   Eigen::MatrixXd jacobian;      ///< There.
+  Eigen::MatrixXd absorbing;     ///< The same without parameters at a limit, which absorb nothing more: zero columns.
 };
 
-/// Generalised least squares, Eq. (N12); `free[i]` false holds a parameter at its reference.
+/// Generalised least squares, Eq. (N12).
 BaseFit calibrate_base(const Comparison& comparison, const Eigen::MatrixXd& covariance,
                        const std::vector<CalibratedParameter>& parameters);
 
-/// Amplitudes of one or two columns (already projected) that explain a projected residual best, each at or above its
-/// bound, and what is left; Eq. (N13).
+/// Amplitudes of one or two columns (already projected) that explain a projected residual best, each within its bounds,
+/// and what is left; Eq. (N13).
 struct AmplitudeFit {
   Eigen::VectorXd amplitude;
   double misfit = 0;
 };
 AmplitudeFit fit_amplitudes(const Eigen::VectorXd& residual, const Eigen::MatrixXd& columns,
-                            const Eigen::VectorXd& least);
+                            const Eigen::VectorXd& least, const Eigen::VectorXd& greatest);
 
 }  // namespace asperity

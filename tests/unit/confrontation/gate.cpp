@@ -138,6 +138,42 @@ TEST_CASE("an effect outside the library refutes every single cause") {
   CHECK(refuted >= 7);
 }
 
+TEST_CASE("a parameter at its limit absorbs nothing more") {
+  const toy::World world;
+  toy::Hidden hidden = toy::nothing(world);
+  hidden.parameters(1) = 6.0;
+  Evidence evidence = toy::evidence(world, hidden, 1);
+  for (CalibratedParameter& p : evidence.parameters) p.lower = -10.0, p.upper = 10.0;
+  CHECK(!analyse(evidence, 200).gate.discrepancy);
+  evidence.parameters[1].upper = 2.0;
+  const Analysis a = analyse(std::move(evidence), 200);
+  CHECK(a.fit.limited[1]);
+  CHECK(a.fit.coded(1) == 2.0);
+  CHECK(a.gate.discrepancy);
+}
+
+TEST_CASE("an extension keeps its parameters and amplitudes within what is believed") {
+  const toy::World world;
+  toy::Hidden hidden = hidden_cause(world, 2, 4.0);
+  hidden.parameters(1) = 4.0;
+  Evidence evidence = toy::evidence(world, hidden, 1);
+  const auto fit_within = [&](double upper, double most) {
+    evidence.parameters[1].upper = upper;
+    evidence.candidates[2].most = most;
+    const Analysis a = analyse(evidence, 2);
+    const Hypothesis h = held_within(linear_hypothesis(a.comparison, a.fit, {2}), a.evidence.parameters,
+                                     a.scatter.covariance, a.evidence.candidates);
+    return fit_hypothesis(a.scatter.covariance, a.evidence.candidates, h);
+  };
+  const HypothesisFit free = fit_within(10.0, 10.0), held = fit_within(1.0, 10.0), weak = fit_within(10.0, 1.0);
+  CHECK(free.amplitude(0) == Approx(4.0).margin(0.5));
+  CHECK(free.coded(1) == Approx(4.0).margin(1.0));
+  CHECK(held.coded(1) == Approx(1.0));
+  CHECK(held.misfit > free.misfit + 10.0);
+  CHECK(weak.amplitude(0) == Approx(1.0));
+  CHECK(weak.misfit > free.misfit + 10.0);
+}
+
 TEST_CASE("a second cause is found where there is one, and seldom where there is none") {
   const toy::World world;
   int found = 0, false_ones = 0;
