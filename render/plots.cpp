@@ -8,11 +8,11 @@
 #include "render/plot_legend.hpp"
 #include "render/style.hpp"
 #include "render/text_metrics.hpp"
+#include "render/title_caption.hpp"
 
 namespace asperity::render {
 namespace {
 
-constexpr double kMargin = 36;  // around the plot
 constexpr int kParts = 7;
 
 /// The upper edge of every series: its own y, or for stacked areas the sum with those below.
@@ -105,25 +105,16 @@ void cover_margins(Drawing& drawing, const Box& inside) {
   add_box(drawing, {inside.right, 0, width, height}, style::kPaper);
 }
 
-double draw_title(Drawing& drawing, const std::string& title) {
-  if (title.empty()) return kMargin;
-  const double size = fitting_size(title, style::kTitleSize, Weight::bold, drawing.width - 2 * kMargin);
-  const double baseline = kMargin + style::kTitleSize;
-  drawing.shapes.push_back(
-      Text{{kMargin, baseline}, title, size, Anchor::left, Weight::bold, Direction::across, style::kInk});
-  return baseline + 0.6 * style::kTitleSize;
-}
-
 }  // namespace
 
 Drawing draw_plot(const Plot& plot) {
   Drawing drawing{plot.width, plot.height, {}}, head = drawing;
   const double below_title = draw_title(head, plot.title);
-  const double top = draw_plot_legend(head, plot, {kMargin, below_title, plot.width - kMargin, 0});
+  const double top = draw_plot_legend(head, plot, {kFigureMargin, below_title, plot.width - kFigureMargin, 0});
   const AxesStyle axes{style::kTickSize, style::kLabelSize, 2};
   Axis second;
   if (uses_second_axis(plot)) second = make_axis(range_of_y(plot, VerticalAxis::right), plot.second_y_label, kParts);
-  const PlotArea area = fit_axes({kMargin, top, plot.width - kMargin, plot.height - kMargin},
+  const PlotArea area = fit_axes({kFigureMargin, top, plot.width - kFigureMargin, plot.height - kFigureMargin},
                                  make_axis(range_of_x(plot), plot.x_label, kParts + 1),
                                  make_axis(range_of_y(plot, VerticalAxis::left), plot.y_label, kParts), second, axes);
   draw_grid(drawing, area, axes);

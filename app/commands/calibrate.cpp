@@ -6,9 +6,9 @@
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
+#include "app/result_folder.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/log.hpp"
-#include "core/base/output_error.hpp"
 #include "core/calibration/data_procedure.hpp"
 #include "core/calibration/simulated_procedure.hpp"
 #include "core/config/read_config.hpp"
@@ -19,13 +19,6 @@ namespace asperity::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-void make_folder(const fs::path& folder, const fs::path& config) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw output_error(folder, "cannot be created", error.value());
-  write_file_atomically(folder / "config.original.json", read_config_text(config));
-}
 
 void print_verification(const SimulatedResult& result) {
   for (const Verification& v : result.verified.verification) {
@@ -38,7 +31,7 @@ int calibrate_simulated(const CalibrateCommandOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const SimulatedCalibration calibration = read_simulated_calibration(options.config, options.overrides);
   const fs::path out = options.out.value_or(default_run_folder(calibration.name));
-  make_folder(out, options.config);
+  make_folder_with_config(out, options.config);
   Manifest manifest = started_manifest();
   manifest.config_name = calibration.name;
   write_manifest(out / "manifest.json", manifest);
@@ -70,7 +63,7 @@ int calibrate_simulated(const CalibrateCommandOptions& options) {
 int calibrate_on_data(const CalibrateCommandOptions& options) {
   const DataCalibration calibration = read_data_calibration(options.config);
   const fs::path out = options.out.value_or(default_run_folder(calibration.name));
-  make_folder(out, options.config);
+  make_folder_with_config(out, options.config);
   const Analysis analysis = calibrate_data(options.config, out);
   draw_calibration(out);
   std::cout << analysis.solutions.size() << " solution(s) inside the design\n" << out.string() << std::endl;

@@ -8,9 +8,9 @@
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
 #include "app/joint_envelope.hpp"
+#include "app/result_folder.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/log.hpp"
-#include "core/base/output_error.hpp"
 #include "core/campaign/campaign_table.hpp"
 #include "core/config/read_config.hpp"
 #include "core/output/run_folder.hpp"
@@ -19,12 +19,6 @@ namespace asperity::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-void make_folders(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw output_error(folder, "cannot be created", error.value());
-}
 
 bool any_interrupted(const std::vector<CampaignOutcome>& outcomes) {
   return std::any_of(outcomes.begin(), outcomes.end(),
@@ -49,7 +43,7 @@ int campaign_command(const CampaignCommandOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const CampaignConfig config = read_campaign_config(options.config, options.overrides);
   const fs::path out = options.out.value_or(default_run_folder(config.name));
-  make_folders(out);
+  make_folder(out);
   write_file_atomically(out / "config.original.json", read_config_text(options.config));
   const std::vector<CampaignOutcome> outcomes =
       compute_campaign(config.name, config.runs, config.slurm, options.session);

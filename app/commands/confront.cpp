@@ -6,10 +6,9 @@
 #include "app/confrontation/confrontation_report.hpp"
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
+#include "app/result_folder.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/log.hpp"
-#include "core/base/output_error.hpp"
-#include "core/config/read_config.hpp"
 #include "core/confrontation/confrontation_task.hpp"
 #include "core/confrontation/feature_source.hpp"
 #include "core/confrontation/next_tests.hpp"
@@ -22,13 +21,6 @@ namespace asperity::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-void make_folder(const fs::path& folder, const fs::path& config) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw output_error(folder, "cannot be created", error.value());
-  write_file_atomically(folder / "config.original.json", read_config_text(config));
-}
 
 /// One run of each kind of test, at the configuration's own parameters: what a bank is known by.
 std::vector<RunConfig> golden_runs(const ConfrontationConfig& config) {
@@ -100,7 +92,7 @@ int confront_command(const ConfrontCommandOptions& options) {
   if (options.session.quiet) set_log_echo(LogEcho::errors);
   const ConfrontationConfig config = read_confrontation(options.config, options.overrides);
   const fs::path out = options.out.value_or(default_run_folder(config.name));
-  make_folder(out, options.config);
+  make_folder_with_config(out, options.config);
   Manifest manifest = started_manifest();
   manifest.config_name = config.name;
   write_manifest(out / "manifest.json", manifest);

@@ -7,8 +7,8 @@
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
+#include "app/result_folder.hpp"
 #include "core/base/log.hpp"
-#include "core/base/output_error.hpp"
 #include "core/output/run_folder.hpp"
 
 namespace asperity::app {
@@ -45,9 +45,7 @@ int gallery_command(const GalleryOptions& options) {
   if (mechanisms.empty()) mechanisms = declared_mechanisms();
   Gallery gallery = plan_gallery(options.bases, mechanisms, seeds_of(options.seeds));
   const std::filesystem::path out = options.out.value_or(default_run_folder("gallery"));
-  std::error_code error;
-  std::filesystem::create_directories(out, error);
-  if (error) throw output_error(out, "cannot be created", error.value());
+  make_folder(out);
   const std::vector<CampaignOutcome> outcomes = compute_campaign("gallery", all_runs(gallery), {}, options.session);
   tell_failures(outcomes);
   const bool interrupted = std::any_of(outcomes.begin(), outcomes.end(),

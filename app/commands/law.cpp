@@ -2,7 +2,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/law/law_set.hpp"
-#include "core/base/output_error.hpp"
+#include "app/result_folder.hpp"
 #include "core/config/read_config.hpp"
 #include "core/output/run_folder.hpp"
 #include "render/paint.hpp"
@@ -28,9 +28,7 @@ int law_command(const LawOptions& options) {
   const RunConfig config = read_run_config(options.config, options.overrides);
   const LawSet set = law_set(config);
   const fs::path folder = options.out.value_or(default_run_folder(config.name + "_law"));
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw output_error(folder, "cannot be created", error.value());
+  make_folder(folder);
   for (const auto& figure : {tension_figure, shear_figure, strength_figure, damage_figure})
     write_figure(figure(set), folder);
   std::cout << folder.string() << "\n";

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/report/run_parts.hpp"
+#include "core/measurement/telling_rows.hpp"
 #include "core/output/html_viewer.hpp"
 #include "core/output/measured_curve.hpp"
 #include "render/axes.hpp"
@@ -17,22 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kBuckets = 200;  // of a small curve, two points each
 constexpr int kParts = 5;              // ticks of a small curve
-
-/// Rows that draw the same line: the least and the largest value of each bucket, in their order.
-std::vector<std::size_t> telling_rows(const std::vector<double>& values) {
-  std::vector<std::size_t> rows;
-  const std::size_t width = std::max<std::size_t>(1, values.size() / kBuckets);
-  for (std::size_t from = 0; from < values.size(); from += width) {
-    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(from);
-    const auto end = values.begin() + static_cast<std::ptrdiff_t>(std::min(from + width, values.size()));
-    const auto [low, high] = std::minmax_element(begin, end);
-    for (const auto at : {std::min(low, high), std::max(low, high)})
-      rows.push_back(static_cast<std::size_t>(at - values.begin()));
-  }
-  rows.push_back(values.size() - 1);
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  return rows;
-}
 
 html::SmallAxis small_axis(const std::vector<double>& values, const std::string& label) {
   const render::Range range = render::with_headroom(render::reaching_zero(render::range_of(values)));
@@ -52,7 +37,7 @@ html::SmallCurve small_curve(const RunContext& context) {
                          {},
                          {},
                          "The run's curve with the shown frame's point on it."};
-  for (const std::size_t row : telling_rows(y)) {
+  for (const std::size_t row : telling_rows(y, kBuckets)) {
     curve.x_values.push_back(x[row]);
     curve.y_values.push_back(y[row]);
   }

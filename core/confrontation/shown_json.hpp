@@ -14,8 +14,4 @@ namespace asperity {
 nlohmann::ordered_json shown_json(const ConfrontationConfig& config, const Confrontation& confrontation,
                                   const std::vector<ShownRuns>& shown, const FeatureCost& cost);
 
-/// Rows that draw the same line: the least and the largest value of each of so many stretches, the first row and the
-/// last.
-std::vector<std::size_t> telling_rows(const std::vector<double>& values, std::size_t stretches);
-
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/confrontation/shown_json.hpp"
+#include "core/measurement/telling_rows.hpp"
 #include "tests/unit/confrontation/confrontation_folder.hpp"
 
 using namespace asperity;
