@@ -73,13 +73,12 @@ Text text_at(Vec2 at, const std::string& words, Anchor anchor, Colour colour) {
   return {at, words, kTextSize, anchor, Weight::regular, Direction::across, colour};
 }
 
-/// What a ring stands for, on white, below the horizontal diameter's right end.
-void draw_ring_label(Drawing& drawing, const Circle& circle, double distance, double share) {
-  Text text = text_at(circle.at(-10, distance) + Vec2{0, kTextSize}, tick_label(100 * share, 1) + " %", Anchor::right,
-                      style::kInk);
-  text.at.x -= 0.5 * kTextGap;
-  add_box(drawing, text_box(text), style::kPaper);
-  drawing.shapes.push_back(text);
+/// What the rings stand for, outside the circle at its lower right, where no sector can lie.
+void draw_ring_names(Drawing& drawing, const Circle& circle, double inner_share, double outer_share) {
+  const Vec2 at = circle.at(-45, circle.radius + kTextGap) + Vec2{0, kTextSize};
+  const std::string shares = tick_label(100 * inner_share, 1) + ", " + tick_label(100 * outer_share, 1) + " %";
+  drawing.shapes.push_back(text_at(at, "rings:", Anchor::left, style::kInk));
+  drawing.shapes.push_back(text_at(at + Vec2{0, 1.2 * kTextSize}, shares, Anchor::left, style::kInk));
 }
 
 /// The angles of the upper half, every 30 degrees but the marked direction, which has a name.
@@ -122,8 +121,7 @@ void draw_rose(Drawing& drawing, const RosePlot& plot, const Rose& rose, const B
   draw_ring(drawing, circle, 0.5 * radius, {style::kOutline, 1.5, {4, 6}, Cap::butt});
   draw_axis(drawing, circle, plot);
   draw_angles(drawing, circle, plot.axis_deg);
-  draw_ring_label(drawing, circle, 0.5 * radius, 0.25 * share);
-  draw_ring_label(drawing, circle, radius, share);
+  draw_ring_names(drawing, circle, 0.25 * share, share);
 }
 
 }  // namespace
