@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/error.hpp"
 #include "core/confrontation/extension_runs.hpp"
 
 namespace asperity {
@@ -23,8 +24,19 @@ void shift_limits(std::vector<CalibratedParameter>& parameters, const VectorXd& 
   }
 }
 
+/// Without a compared feature there is nothing to say.
+void require_features(const Comparison& fitted) {
+  if (!fitted.slots.empty()) return;
+  std::vector<Fault> faults{{"/measured", "no feature of a fitted test can be compared", "",
+                             "a feature that measurement and runs both give", "see docs/confrontation.md"}};
+  for (const DroppedSlot& slot : fitted.dropped)
+    if (slot.why != "not measured") faults.push_back({slot.test + ", " + slot.feature, slot.why, "", "", ""});
+  throw Error(ErrorKind::config, faults);
+}
+
 void compare_fitted(Confrontation& state, const NamingOptions& options) {
   state.fitted = compare(state.evidence, TestUse::fit);
+  require_features(state.fitted);
   state.scatter = scatter_of(state.fitted, options.draws.noise);
   state.base = calibrate_base(state.fitted, state.scatter.covariance, state.evidence.parameters);
 }

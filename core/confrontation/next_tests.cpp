@@ -125,8 +125,7 @@ std::vector<SimulatedDesign> simulate_designs(const ConfrontationConfig& config,
   };
   std::vector<SimulatedDesign> simulated;
   for (const TestDesign& design : test_designs()) {
-    if (!concerns(design.switches_off) && design.id != "constant_normal_stiffness") continue;
-    if (!concerns(design.turns)) continue;
+    if (!concerns(design.concerns)) continue;
     for (std::size_t t = 0; t < made.size(); ++t) {
       const std::optional<RunConfig> run = design.change(made[t], made);
       if (!run) continue;

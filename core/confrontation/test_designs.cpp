@@ -45,8 +45,7 @@ Changed with_loop(Made made, All all) {
   RunConfig run = made;
   const double length =
       made.experiment.type == ExperimentType::brazilian ? made.experiment.diameter_mm : made.experiment.height_mm;
-  run.experiment.loading.unloading = {
-      {kUnloadAt * made.experiment.stop.axial_strain * length, kUnloadTo}};
+  run.experiment.loading.unloading = {{kUnloadAt * made.experiment.stop.axial_strain * length, kUnloadTo}};
   return run;
 }
 
@@ -89,19 +88,21 @@ Changed under_constant_stiffness(Made made, All) {
 
 const std::vector<TestDesign>& test_designs() {
   static const std::vector<TestDesign> designs{
-      {"lubricated_platens", "uniaxial compression between lubricated platens", as_it_was, "platen_friction", ""},
+      {"lubricated_platens", "uniaxial compression between lubricated platens", as_it_was, "platen_friction",
+       "platen_friction", ""},
       {"height_over_width_1", "uniaxial compression of specimens as high as wide",
-       [](Made made, All all) { return with_slenderness(made, all, 1.0); }, "", ""},
+       [](Made made, All all) { return with_slenderness(made, all, 1.0); }, "", "", ""},
       {"height_over_width_3", "uniaxial compression of specimens three times as high as wide",
-       [](Made made, All all) { return with_slenderness(made, all, 3.0); }, "", ""},
-      {"unload_reload", "the same test with one unloading to a tenth and a reload", with_loop, "", ""},
-      {"slower_rate", "uniaxial compression at a quarter of the rate", slower, "", ""},
+       [](Made made, All all) { return with_slenderness(made, all, 3.0); }, "", "", ""},
+      {"unload_reload", "the same test with one unloading to a tenth and a reload", with_loop, "", "", ""},
+      {"slower_rate", "uniaxial compression at a quarter of the rate", slower, "", "", ""},
       {"twice_confining_pressure", "triaxial compression at twice the highest confining pressure",
-       at_twice_the_pressure, "", ""},
-      {"rotated_core", "uniaxial compression of cores drilled at a right angle to these", as_it_was, "", "weak_plane"},
-      {"constant_normal_stiffness", "direct shear under constant normal stiffness", under_constant_stiffness,
+       at_twice_the_pressure, "", "", ""},
+      {"rotated_core", "uniaxial compression of cores drilled at a right angle to these", as_it_was, "weak_plane", "",
+       "weak_plane"},
+      {"constant_normal_stiffness", "direct shear under constant normal stiffness", under_constant_stiffness, "",
        "normal_stiffness", ""},
-      {"half_size", "uniaxial compression of specimens of half the size", at_half_size, "", ""}};
+      {"half_size", "uniaxial compression of specimens of half the size", at_half_size, "", "", ""}};
   return designs;
 }
 

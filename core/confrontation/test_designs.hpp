@@ -13,6 +13,7 @@ struct TestDesign {
   std::string id, description;
   /// The changed run, or nothing where the change has no meaning for it or was made already.
   std::function<std::optional<RunConfig>(const RunConfig& made, const std::vector<RunConfig>& all)> change;
+  std::string concerns;      ///< A mechanism without which among the causes the test tells nothing; empty: none.
   std::string switches_off;  ///< A mechanism that the test rules out; empty: none.
   std::string turns;         ///< A mechanism whose angle turns with the core; empty: none.
 };

@@ -1,7 +1,7 @@
 #include "core/confrontation/confront.hpp"
 
 #include <catch2/catch.hpp>
-#include <map>
+#include <cmath>
 
 #include "core/confrontation/verdict_json.hpp"
 #include "tests/support/toy_laboratory.hpp"
@@ -159,4 +159,11 @@ TEST_CASE("two causes are found where both act") {
   std::vector<std::string> causes = verdict_causes(c);
   std::sort(causes.begin(), causes.end());
   CHECK(causes == std::vector<std::string>{"m0", "m2"});
+}
+
+TEST_CASE("without a feature that both sides give there is one clear error") {
+  ToySimulator simulator;
+  ConfrontationTask task = task_of(simulator, truth(), {});
+  for (TestEvidence& test : task.evidence.tests) test.measured.setConstant(std::nan(""));
+  CHECK_THROWS_WITH(confront(std::move(task)), Catch::Contains("no feature of a fitted test can be compared"));
 }
