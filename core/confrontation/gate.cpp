@@ -80,8 +80,9 @@ Gate gate(const Comparison& comparison, const Scatter& scatter, const BaseFit& f
   for (int d = 0; d < options.draws; ++d) {
     const Repetition again = repeat(comparison, scatter, options.noise, random);
     const VectorXd difference = again.difference + drawn_parameter_error(comparison, fit, random);
-    const Pattern drawn =
-        pattern_of(WhitenedFrame(again.covariance, fit.absorbing), difference, comparison.fingerprint, candidates);
+    const WhitenedFrame drawn_frame(again.covariance, fit.absorbing);
+    const Pattern drawn = pattern_of(drawn_frame, difference, comparison.fingerprint, candidates);
+    least_misfits.push_back(drawn_frame.project(again.least_difference).squaredNorm());
     misfits.push_back(drawn.misfit);
     explained.push_back(drawn.explained.size() > 0 ? drawn.explained.maxCoeff() : 0.0);
   }

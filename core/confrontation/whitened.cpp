@@ -15,8 +15,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kLeastEffect = 0.2;  // standard deviations by which a step must move the data
-constexpr int kMostSteps = 20;
-constexpr double kSmallStep = 1e-9;
+constexpr double kNone = 2.0;  // times the largest singular value: no direction has an effect
+constexpr int kMostSteps = 50;
+constexpr double kSmallStep = 1e-9, kSmallSlope = 1e-6;
 
 using Decomposition = Eigen::JacobiSVD<MatrixXd>;
 
@@ -24,7 +25,7 @@ using Decomposition = Eigen::JacobiSVD<MatrixXd>;
 Decomposition decompose(const MatrixXd& whitened) {
   Decomposition svd(whitened, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const double largest = svd.singularValues().size() > 0 ? svd.singularValues()(0) : 0.0;
-  svd.setThreshold(largest > kLeastEffect ? kLeastEffect / largest : 1.0);
+  svd.setThreshold(largest > kLeastEffect ? kLeastEffect / largest : kNone);
   return svd;
 }
 
@@ -47,7 +48,43 @@ MatrixXd jacobian_at(const Comparison& comparison, const VectorXd& coded) {
   return comparison.jacobian + comparison.curvature * coded.asDiagonal();
 }
 
-/// Moves until nothing changes; a parameter that would leave its range is held at its end.
+/// The held parameter that the misfit wants back inside its range most; -1: none.
+Index wanted_back(const Comparison& comparison, const WhitenedFrame& frame,
+                  const std::vector<CalibratedParameter>& parameters, const BaseFit& fit) {
+  const MatrixXd jacobian = frame.whiten(jacobian_at(comparison, fit.coded));
+  const VectorXd downhill = jacobian.transpose() * frame.whiten(comparison.data - model_at(comparison, fit.coded));
+  Index back = -1;
+  double most = kSmallSlope;
+  for (Index p = 0; p < downhill.size(); ++p) {
+    if (!fit.limited[static_cast<std::size_t>(p)]) continue;
+    const double inwards = fit.coded(p) >= parameters[static_cast<std::size_t>(p)].upper ? -downhill(p) : downhill(p);
+    if (inwards <= most) continue;
+    back = p;
+    most = inwards;
+  }
+  return back;
+}
+
+/// How far a step may go until the first free parameter reaches an end of its range, as a share; which one, or -1.
+struct FirstEnd {
+  double share = 1.0;
+  Index parameter = -1;
+  double end = 0;
+};
+
+FirstEnd first_end(const VectorXd& coded, const VectorXd& step, const std::vector<CalibratedParameter>& parameters) {
+  FirstEnd first;
+  for (Index p = 0; p < step.size(); ++p) {
+    const CalibratedParameter& parameter = parameters[static_cast<std::size_t>(p)];
+    const double end = step(p) > 0.0 ? parameter.upper : parameter.lower;
+    if (step(p) == 0.0 || std::abs(end - coded(p)) >= first.share * std::abs(step(p))) continue;
+    first = {std::abs(end - coded(p)) / std::abs(step(p)), p, end};
+  }
+  return first;
+}
+
+/// Gauss-Newton within the ranges, by an active set: a step ends where the first parameter reaches its end, which then
+/// holds it; at the optimum of the others the one that the misfit wants back most is freed.
 void descend(const Comparison& comparison, const WhitenedFrame& frame,
              const std::vector<CalibratedParameter>& parameters, BaseFit& fit) {
   std::vector<bool> free = fit.determined;
@@ -55,16 +92,19 @@ void descend(const Comparison& comparison, const WhitenedFrame& frame,
     const MatrixXd jacobian = frame.whiten(jacobian_at(comparison, fit.coded));
     const VectorXd residual = frame.whiten(comparison.data - model_at(comparison, fit.coded));
     const VectorXd step = solved_step(jacobian, residual, free);
-    bool held = false;
-    for (Index p = 0; p < step.size(); ++p) {
-      const CalibratedParameter& parameter = parameters[static_cast<std::size_t>(p)];
-      const double wanted = fit.coded(p) + step(p);
-      fit.coded(p) = std::clamp(wanted, parameter.lower, parameter.upper);
-      if (wanted == fit.coded(p)) continue;
-      free[static_cast<std::size_t>(p)] = false;
-      fit.limited[static_cast<std::size_t>(p)] = held = true;
+    const FirstEnd first = first_end(fit.coded, step, parameters);
+    fit.coded += first.share * step;
+    if (first.parameter >= 0) {
+      fit.coded(first.parameter) = first.end;
+      free[static_cast<std::size_t>(first.parameter)] = false;
+      fit.limited[static_cast<std::size_t>(first.parameter)] = true;
+      continue;
     }
-    if (!held && step.norm() < kSmallStep) return;
+    if (step.norm() >= kSmallStep) continue;
+    const Index back = wanted_back(comparison, frame, parameters, fit);
+    if (back < 0) return;
+    free[static_cast<std::size_t>(back)] = true;
+    fit.limited[static_cast<std::size_t>(back)] = false;
   }
 }
 
@@ -86,7 +126,7 @@ WhitenedFrame::WhitenedFrame(const MatrixXd& covariance, const MatrixXd& nuisanc
   nuisance_.resize(covariance.rows(), 0);
   if (nuisance.cols() == 0) return;
   const Decomposition svd = decompose(whiten(nuisance));
-  nuisance_ = svd.matrixU().leftCols(svd.singularValues()(0) > kLeastEffect ? svd.rank() : 0);
+  nuisance_ = svd.matrixU().leftCols(svd.rank());
 }
 
 MatrixXd WhitenedFrame::whiten(const MatrixXd& columns) const {
@@ -112,7 +152,7 @@ MatrixXd WhitenedFrame::information_inverse(const MatrixXd& columns) const {
   if (count == 0) return MatrixXd(0, 0);
   const Decomposition svd = decompose(whiten(columns));
   MatrixXd inverse = MatrixXd::Zero(count, count);
-  for (Index i = 0; i < count && svd.singularValues()(i) > kLeastEffect; ++i)
+  for (Index i = 0; i < svd.singularValues().size() && svd.singularValues()(i) > kLeastEffect; ++i)
     inverse += svd.matrixV().col(i) * svd.matrixV().col(i).transpose() / std::pow(svd.singularValues()(i), 2);
   return inverse;
 }
