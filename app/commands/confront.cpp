@@ -76,10 +76,14 @@ void carry_through(const ConfrontCommandOptions& options, const ConfrontationCon
   const ConfrontationTask task = confrontation_task(config, features);
   const Confrontation confrontation = confront(task);
   VerdictContext context = verdict_context(config, task, confrontation);
+  const auto write_verdict = [&] {
+    write_file_atomically(out / "verdict.json", verdict_json(confrontation, context).dump(2) + "\n");
+  };
+  write_verdict();
+  context.extended_config = write_extended_configs(config, confrontation, out);
   if (options.next_tests || config.linearise_at == LineariseAt::calibrated)
     context.next_tests = next_tests(config, task, confrontation);
-  context.extended_config = write_extended_configs(config, confrontation, out);
-  write_file_atomically(out / "verdict.json", verdict_json(confrontation, context).dump(2) + "\n");
+  write_verdict();
   if (options.write_bank) write_bank(*options.write_bank, source.gathered(golden_runs(config)));
   print_verdict(confrontation, source.cost());
   if (options.report) show(config, confrontation, source.cost(), simulate, out);
@@ -103,6 +107,10 @@ int confront_command(const ConfrontCommandOptions& options) {
     write_manifest(out / "manifest.json", manifest);
     std::cerr << "interrupted; the same command goes on from there\n";
     return kExitInterrupted;
+  } catch (const std::exception& error) {
+    end_manifest(manifest, Outcome::failed, error.what());
+    write_manifest(out / "manifest.json", manifest);
+    throw;
   }
   end_manifest(manifest, Outcome::finished, "confronted");
   write_manifest(out / "manifest.json", manifest);

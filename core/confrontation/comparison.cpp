@@ -12,6 +12,7 @@ using Eigen::VectorXd;
 
 constexpr double kSpecimenShare = 0.5, kBaseShare = 0.75, kCommonShare = 0.5;
 constexpr double kCurvatureErrors = 5.0;  // standard errors: of 8 meshes one in 640 passes by scatter alone
+constexpr Index kCurvatureMeshes = 6;     // fewer know their own error too badly for that
 
 /// Finite values of a column with their rows' mean.
 struct Column {
@@ -146,10 +147,11 @@ Differences differences(const Comparison& comparison, std::size_t item, RunsOf r
   return d;
 }
 
-/// Second differences within five of their errors are scatter.
+/// Second differences within five of their errors are scatter, and all of them where meshes are few.
 VectorXd believed(const VectorXd& mean, const MatrixXd& rows) {
   VectorXd kept = VectorXd::Zero(mean.size());
   const double n = static_cast<double>(rows.rows());
+  if (rows.rows() < kCurvatureMeshes) return kept;
   for (Index i = 0; i < mean.size(); ++i) {
     const double error = std::sqrt(rows.col(i).squaredNorm() / (n * std::max(n - 1.0, 1.0)));
     if (std::abs(mean(i)) > kCurvatureErrors * error) kept(i) = mean(i);
@@ -165,6 +167,13 @@ void take_parameters(const Evidence& evidence, Comparison& comparison) {
     const auto low_runs = [](const TestEvidence& t, std::size_t k) -> const Samples& { return t.low[k]; };
     const auto high_runs = [](const TestEvidence& t, std::size_t k) -> const Samples& { return t.high[k]; };
     const Differences low = differences(comparison, p, low_runs), high = differences(comparison, p, high_runs);
+    if (low.rows.rows() != high.rows.rows()) {
+      const double side = high.rows.rows() > 0 ? 1.0 : -1.0;
+      const Differences& one = side > 0.0 ? high : low;
+      comparison.jacobian.col(static_cast<Index>(p)) = side * one.mean;
+      comparison.jacobian_rows.push_back(side * one.rows);
+      continue;
+    }
     comparison.jacobian.col(static_cast<Index>(p)) = 0.5 * (high.mean - low.mean);
     comparison.curvature.col(static_cast<Index>(p)) = believed(high.mean + low.mean, high.rows + low.rows);
     comparison.jacobian_rows.push_back(0.5 * (high.rows - low.rows));

@@ -30,7 +30,7 @@ struct Comparison {
   Eigen::VectorXd specimens;    ///< Number of measured values.
   Eigen::VectorXd meshes;       ///< Number of runs behind the model's mean.
   Eigen::VectorXd instrument_sd;
-  Eigen::MatrixXd jacobian;     ///< By coded parameter, central differences; Eq. (N7).
+  Eigen::MatrixXd jacobian;     ///< By coded parameter, central differences; Eq. (N7). One-sided at a limit.
   Eigen::MatrixXd curvature;    ///< By coded parameter, second differences that stand out of their error, else 0.
   Eigen::MatrixXd fingerprint;  ///< By candidate, a unit of amplitude; Eq. (N8).
   std::vector<Eigen::MatrixXd> jacobian_rows;     ///< By parameter: common meshes by slots, less their mean.

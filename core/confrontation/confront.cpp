@@ -45,6 +45,7 @@ void compare_fitted(Confrontation& state, const NamingOptions& options) {
 void calibrate_by_runs(const ConfrontationTask& task, Confrontation& state) {
   EvidencePlan plan = task.plan;
   plan.noise = task.common;
+  plan.fresh = 0;
   plan.parameters = task.screen;
   std::fill(plan.candidate_meshes.begin(), plan.candidate_meshes.end(), 0);
   for (int step = 0; step < task.most_steps; ++step) {
@@ -85,11 +86,12 @@ void simulate_effects(const ConfrontationTask& task, Confrontation& state) {
 /// The mean by runs; what amplitudes add to its uncertainty from the change that these runs showed.
 FeaturePrediction prediction_by_runs(const ConfrontationTask& task, const Confrontation& state,
                                      const HypothesisFit& fit) {
+  constexpr double kSmallAmplitude = 0.05;  // below it a change a unit of amplitude is scatter
   const VectorXd mean = extension_mean(task, state, fit);
-  const double amplitude = fit.amplitude.sum();
   Comparison kept_back = state.kept_back;
-  for (const Index k : fit.causes) {
-    if (amplitude != 0.0) kept_back.fingerprint.col(k) = (mean - model_at(kept_back, fit.coded)) / amplitude;
+  for (std::size_t i = 0; i < fit.causes.size() && fit.amplitude.norm() > kSmallAmplitude; ++i) {
+    const double share = fit.amplitude(static_cast<Index>(i)) / fit.amplitude.squaredNorm();
+    kept_back.fingerprint.col(fit.causes[i]) = share * (mean - model_at(kept_back, fit.coded));
   }
   FeaturePrediction prediction = predict_extension(kept_back, state.kept_back_scatter, fit);
   prediction.mean = mean;

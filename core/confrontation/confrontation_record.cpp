@@ -1,12 +1,16 @@
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/output_error.hpp"
 #include "core/base/sha256.hpp"
+#include "core/config/enum_words.hpp"
 #include "core/config/write_config.hpp"
 #include "core/confrontation/confrontation_task.hpp"
+#include "core/confrontation/feature_bank.hpp"
 #include "core/confrontation/final_run.hpp"
+#include "core/confrontation/virtual_test.hpp"
 
 /// What a confrontation leaves on record: hashes, parameters, the extended configuration.
 namespace asperity {
@@ -30,20 +34,32 @@ ordered_json frozen(const ConfrontationConfig& config, const ConfrontationTask& 
                        {"level", task.options.level},
                        {"near", task.options.near},
                        {"most", task.options.most},
+                       {"most_pairs", task.options.most_pairs},
+                       {"linearise_at", task.linearised_at == LinearisedAt::reference ? "reference" : "calibrated"},
+                       {"first_seed", task.plan.first_seed},
+                       {"fresh_seed", task.plan.fresh_seed},
                        {"explained_level", task.options.draws.explained_level},
                        {"misfit_level", task.options.draws.misfit_level},
                        {"least_ridge", task.options.draws.noise.least_ridge},
                        {"noise", task.plan.noise},
+                       {"fresh", task.plan.fresh},
                        {"common", task.common},
                        {"screen", task.screen}};
   for (const TestEvidence& test : task.evidence.tests) {
     ordered_json slots = ordered_json::array();
     for (const FeatureSlot& s : test.slots) slots.push_back({s.kind->name, s.logarithmic, s.floor_sd});
-    json["tests"][test.id] = {{"use", test.use == TestUse::fit ? "fit" : "hold_out"}, {"features", slots}};
+    json["tests"][test.id] = {{"use", test.use == TestUse::fit ? "fit" : "hold_out"},
+                              {"run", bank_key(virtual_test(config, *find_test(config.measured, test.id)))},
+                              {"features", slots}};
   }
-  for (const Candidate& c : task.evidence.candidates) json["library"][c.id] = {c.amplitude, c.two_sided};
-  for (const ConfrontationParameter& p : config.parameters)
-    json["parameters"][p.name] = {p.calibrated, p.step, p.lower, p.upper, p.reference};
+  for (const Candidate& c : task.evidence.candidates)
+    json["library"][c.id] = {c.amplitude, c.two_sided, c.least, c.most, c.whole};
+  for (const ConfrontationParameter& p : config.parameters) {
+    ordered_json only = ordered_json::array();
+    for (const ExperimentType type : p.only) only.push_back(word(type));
+    json["parameters"][p.name] = {
+        p.pointer, p.tied, static_cast<int>(p.transform), only, p.calibrated, p.step, p.lower, p.upper, p.reference};
+  }
   return json;
 }
 
@@ -56,11 +72,33 @@ constexpr std::vector<double> Curve::*kColumns[] = {&Curve::path,
                                                     &Curve::dilation_rear_mm,
                                                     &Curve::events};
 
-/// The measured numbers alone: no name, material or source.
+/// How a test was done and read: what changes its features or its virtual test.
+ordered_json conditions(const MeasuredTest& test) {
+  const Instrument& i = test.instrument;
+  ordered_json teeth = ordered_json::array();
+  for (const ToothConfig& t : test.profile) teeth.push_back({t.angle_deg, t.height_mm, t.gap_before_mm});
+  return {
+      {"experiment", word(test.experiment)},
+      {"sizes_mm", numbers({test.width_mm.value_or(NAN), test.height_mm.value_or(NAN), test.diameter_mm.value_or(NAN),
+                            test.thickness_mm.value_or(NAN)})},
+      {"stresses_mpa", numbers({test.confining_pressure_mpa.value_or(NAN), test.normal_stress_mpa.value_or(NAN)})},
+      {"joint", teeth},
+      {"end_gap_mm", numbers({test.end_gap_mm.value_or(NAN)})},
+      {"rates_mm_per_s", numbers({test.closing_rate_mm_per_s.value_or(NAN), test.shear_rate_mm_per_s.value_or(NAN)})},
+      {"axial_gauge_mm", numbers({test.axial_gauge_mm.value_or(NAN)})},
+      {"plane", test.plane ? ordered_json(word(*test.plane)) : ordered_json(nullptr)},
+      {"scatter", test.scatter == ScatterSource::specimens ? "specimens" : "pooled"},
+      {"ends_before_peak", test.ends_before_peak},
+      {"instrument",
+       numbers({i.load_noise_percent, i.displacement_noise_percent, i.transverse_noise_percent, i.load_scale_percent,
+                i.displacement_scale_percent, i.load_zero_percent, i.displacement_zero_mm})}};
+}
+
+/// The measured numbers and their tests' conditions: no name, material or source.
 ordered_json data_numbers(const MeasuredData& data) {
   ordered_json json = ordered_json::object();
   for (const MeasuredTest& test : data.tests) {
-    ordered_json entry = ordered_json::object();
+    ordered_json entry = conditions(test);
     for (const auto& [feature, values] : test.results) entry["results"][feature] = numbers(values);
     for (const SpecimenCurve& s : test.curves) {
       ordered_json columns = ordered_json::array();
@@ -111,10 +149,11 @@ std::string write_extended_configs(const ConfrontationConfig& config, const Conf
   fs::create_directories(folder / "configs", error);
   if (error) throw output_error(folder / "configs", "cannot be created", error.value());
   std::string first;
+  std::set<std::string> taken;
   for (const MeasuredTest& test : config.measured.tests) {
-    RunConfig run = final_run(config, confrontation, test, FinalModel::extension, VirtualOutput::as_base,
-                              config.meshes.first_seed);
-    run.name = config.name + "_" + test.id;
+    RunConfig run =
+        final_run(config, confrontation, test, FinalModel::extension, VirtualOutput::as_base, config.meshes.first_seed);
+    while (!taken.insert(run.name).second) run.name += "_";
     const std::string path = "configs/" + run.name + ".json";
     write_file_atomically(folder / path, effective_json(run) + "\n");
     if (first.empty()) first = path;

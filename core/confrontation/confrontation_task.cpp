@@ -132,6 +132,7 @@ bool takes_whole_numbers(const MechanismDeclaration& declaration) {
 EvidencePlan plan_of(const ConfrontationConfig& config, const Evidence& evidence, const std::vector<RunConfig>& runs) {
   EvidencePlan plan;
   plan.noise = config.meshes.noise;
+  plan.fresh = config.meshes.fresh;
   plan.parameters = config.meshes.common;
   plan.first_seed = config.meshes.first_seed;
   plan.fresh_seed = config.meshes.first_seed + 500000;
@@ -147,10 +148,21 @@ EvidencePlan plan_of(const ConfrontationConfig& config, const Evidence& evidence
   return plan;
 }
 
+/// In alphabetical order, so that a pair is one run however its causes were found.
 std::vector<MechanismConfig> entries(const std::vector<MechanismAmplitude>& mechanisms) {
   std::vector<MechanismConfig> list;
   for (const MechanismAmplitude& m : mechanisms) list.push_back({m.id, m.amplitude, {}});
+  std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.type < b.type; });
   return list;
+}
+
+/// The smallest amplitude whose reciprocal parameters are still within their ranges.
+double least_amplitude(const MechanismDeclaration& declaration) {
+  double least = 0.0;
+  for (const MechanismParameter& p : declaration.parameters) {
+    if (p.reciprocal) least = std::max(least, p.strong / p.highest);
+  }
+  return least;
 }
 
 }  // namespace
@@ -162,7 +174,8 @@ std::vector<Candidate> library_candidates(const std::vector<std::string>& ids) {
     const bool whole = takes_whole_numbers(declaration);
     const bool two_sided = declaration.suspect && !whole;
     candidates.push_back({id, whole ? kWhole : kStep, two_sided, declaration.suspect,
-                          whole ? kWhole : most_amplitude(declaration, two_sided)});
+                          whole ? kWhole : most_amplitude(declaration, two_sided), least_amplitude(declaration),
+                          whole});
   }
   return candidates;
 }
@@ -193,8 +206,8 @@ ConfrontationTask confrontation_task(const ConfrontationConfig& config, Features
   task.options.draws.draws = static_cast<int>(config.draws);
   task.options.draws.seed = config.seed;
   task.configure = [runs, config](const VirtualSpecimen& specimen) {
-    return configured((*runs)[specimen.test], config.parameters, theta_at(config, specimen.coded),
-                      entries(specimen.mechanisms), specimen.seed);
+    return configured_if_legal((*runs)[specimen.test], config.parameters, theta_at(config, specimen.coded),
+                               entries(specimen.mechanisms), specimen.seed);
   };
   task.features = std::move(features);
   return task;

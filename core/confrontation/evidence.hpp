@@ -48,7 +48,13 @@ struct Candidate {
   bool two_sided = false;  ///< A setting that may be off either way.
   bool suspect = false;    ///< A setting of the solver, no rock.
   double most = 3.0;       ///< Largest amplitude that its parameters' ranges allow.
+  double least = 0.0;      ///< Smallest one other than 0 that they allow: infinite is no value of a reciprocal one.
+  bool whole = false;      ///< Takes whole numbers.
 };
+
+/// The amplitude nearest to this one that a run can have: within the candidate's range, a whole number where it takes
+/// only such, 0 below its least.
+double amplitude_of_run(const Candidate& candidate, double amplitude);
 
 struct Evidence {
   std::vector<CalibratedParameter> parameters;

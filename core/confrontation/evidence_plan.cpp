@@ -1,5 +1,6 @@
 #include "core/confrontation/evidence_plan.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,28 +26,44 @@ std::string label_of(const TestEvidence& test, const std::string& what, std::uin
   return test.id + ", " + what + ", mesh " + std::to_string(seed);
 }
 
-Samples no_rows(const TestEvidence& test) { return Samples(0, static_cast<Index>(test.slots.size())); }
+Samples no_values(Index rows, const TestEvidence& test) {
+  return Samples::Constant(rows, static_cast<Index>(test.slots.size()), std::numeric_limits<double>::quiet_NaN());
+}
+
+std::size_t base_meshes(const EvidencePlan& plan, const TestEvidence& test) {
+  return test.use == TestUse::fit ? plan.noise : plan.fresh;
+}
 
 void add_rows(PlannedRuns& planned, Evidence& evidence, const EvidencePlan& plan, VirtualSpecimen specimen,
-              std::size_t rows, const std::string& what, Samples& samples, const ConfigureRun& configure) {
+              std::size_t wanted, const std::string& what, Samples& samples, const ConfigureRun& configure) {
   const TestEvidence& test = evidence.tests[specimen.test];
-  samples = Samples::Constant(static_cast<Index>(rows), static_cast<Index>(test.slots.size()),
-                              std::numeric_limits<double>::quiet_NaN());
+  const std::size_t rows = std::min(wanted, base_meshes(plan, test));
+  samples = no_values(static_cast<Index>(rows), test);
   for (std::size_t row = 0; row < rows; ++row) {
     specimen.seed = mesh_seed(plan, test, row);
-    planned.runs.push_back({label_of(test, what, specimen.seed), configure(specimen), 0.0});
+    std::optional<RunConfig> run = configure(specimen);
+    if (!run) continue;
+    planned.runs.push_back({label_of(test, what, specimen.seed), std::move(*run), 0.0});
     planned.places.push_back({&samples, static_cast<Index>(row), specimen.test});
   }
 }
 
+/// Whether a step from the centre goes beyond what is believed of the parameter.
+bool leaves_range(const CalibratedParameter& parameter, double step) {
+  constexpr double kRounding = 1e-9;
+  return step < parameter.lower - kRounding || step > parameter.upper + kRounding;
+}
+
+/// One step to each side; to one side alone where the other lies outside the range.
 void plan_parameters(PlannedRuns& planned, Evidence& evidence, const EvidencePlan& plan, std::size_t t,
                      const VectorXd& centre, const ConfigureRun& configure) {
   TestEvidence& test = evidence.tests[t];
-  test.low.assign(evidence.parameters.size(), no_rows(test));
-  test.high.assign(evidence.parameters.size(), no_rows(test));
+  test.low.assign(evidence.parameters.size(), no_values(0, test));
+  test.high.assign(evidence.parameters.size(), no_values(0, test));
   for (std::size_t p = 0; p < evidence.parameters.size(); ++p) {
     if (!plan.parameter_acts[t][p]) continue;
     for (const double side : {-1.0, 1.0}) {
+      if (leaves_range(evidence.parameters[p], side) && !leaves_range(evidence.parameters[p], -side)) continue;
       VectorXd coded = centre;
       coded(static_cast<Index>(p)) += side;
       add_rows(planned, evidence, plan, {t, coded, {}, 0}, plan.parameters,
@@ -59,7 +76,7 @@ void plan_parameters(PlannedRuns& planned, Evidence& evidence, const EvidencePla
 void plan_candidates(PlannedRuns& planned, Evidence& evidence, const EvidencePlan& plan, std::size_t t,
                      const VectorXd& centre, const ConfigureRun& configure) {
   TestEvidence& test = evidence.tests[t];
-  test.mechanism.assign(evidence.candidates.size(), no_rows(test));
+  test.mechanism.assign(evidence.candidates.size(), no_values(0, test));
   if (test.use == TestUse::hold_out && !plan.kept_back_candidates) return;
   for (std::size_t k = 0; k < evidence.candidates.size(); ++k) {
     if (!plan.candidate_acts[t][k] || plan.candidate_meshes[k] == 0) continue;
@@ -94,6 +111,7 @@ void simulate_evidence(Evidence& evidence, const EvidencePlan& plan, const Vecto
                        const ConfigureRun& configure, const FeaturesOf& features) {
   PlannedRuns planned;
   for (std::size_t t = 0; t < evidence.tests.size(); ++t) {
+    if (base_meshes(plan, evidence.tests[t]) == 0) continue;
     add_rows(planned, evidence, plan, {t, centre, {}, 0}, plan.noise, "base", evidence.tests[t].base, configure);
     if (!plan.effects) continue;
     plan_parameters(planned, evidence, plan, t, centre, configure);
@@ -109,10 +127,16 @@ void simulate_evidence(Evidence& evidence, const EvidencePlan& plan, const Vecto
 Samples simulate_specimens(const TestEvidence& test, const std::vector<VirtualSpecimen>& specimens,
                            const std::string& stage, const ConfigureRun& configure, const FeaturesOf& features) {
   std::vector<CampaignRun> runs;
-  for (const VirtualSpecimen& s : specimens) runs.push_back({label_of(test, stage, s.seed), configure(s), 0.0});
+  std::vector<Index> rows;
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    std::optional<RunConfig> run = configure(specimens[i]);
+    if (!run) continue;
+    runs.push_back({label_of(test, stage, specimens[i].seed), std::move(*run), 0.0});
+    rows.push_back(static_cast<Index>(i));
+  }
   const std::vector<RunFeatureValues> values = features(stage, runs);
-  Samples samples(static_cast<Index>(specimens.size()), static_cast<Index>(test.slots.size()));
-  for (std::size_t i = 0; i < values.size(); ++i) samples.row(static_cast<Index>(i)) = slot_values(test, values[i]);
+  Samples samples = no_values(static_cast<Index>(specimens.size()), test);
+  for (std::size_t i = 0; i < values.size(); ++i) samples.row(rows[i]) = slot_values(test, values[i]);
   return samples;
 }
 

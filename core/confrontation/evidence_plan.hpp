@@ -25,8 +25,8 @@ struct VirtualSpecimen {
   std::uint64_t seed = 1;
 };
 
-/// Its run; nothing where the mechanisms or a parameter that is moved cannot act in its experiment.
-using ConfigureRun = std::function<RunConfig(const VirtualSpecimen&)>;
+/// Its run; nothing where the parameters and mechanisms together are no legal one.
+using ConfigureRun = std::function<std::optional<RunConfig>(const VirtualSpecimen&)>;
 
 /// Features of a run in the order of feature_kinds; empty where it failed.
 using RunFeatureValues = std::vector<std::optional<double>>;
@@ -37,7 +37,8 @@ using FeaturesOf =
 
 /// What acts where, and on how many meshes.
 struct EvidencePlan {
-  std::size_t noise = 16;                         ///< Meshes of the base.
+  std::size_t noise = 16;                         ///< Meshes of the base in fitted tests.
+  std::size_t fresh = 16;                         ///< The same in kept-back tests; 0: they are not run.
   std::size_t parameters = 8;                     ///< Meshes of each side of each parameter.
   std::vector<std::size_t> candidate_meshes;      ///< By candidate; 0: not run.
   std::vector<std::vector<bool>> parameter_acts;  ///< By test and parameter.

@@ -19,8 +19,9 @@ std::vector<MechanismAmplitude> mechanisms_of(const Evidence& evidence, const st
                                               const VectorXd& amplitude) {
   std::vector<MechanismAmplitude> mechanisms;
   for (std::size_t i = 0; i < causes.size(); ++i) {
-    const double a = amplitude(static_cast<Index>(i));
-    if (a != 0.0) mechanisms.push_back({evidence.candidates[static_cast<std::size_t>(causes[i])].id, a});
+    const Candidate& candidate = evidence.candidates[static_cast<std::size_t>(causes[i])];
+    const double a = amplitude_of_run(candidate, amplitude(static_cast<Index>(i)));
+    if (a != 0.0) mechanisms.push_back({candidate.id, a});
   }
   return mechanisms;
 }
@@ -77,19 +78,24 @@ void keep_within(const Evidence& evidence, const std::vector<Index>& causes, Vec
     coded(p) = std::clamp(coded(p), parameter.lower, parameter.upper);
   }
   for (std::size_t i = 0; i < causes.size(); ++i) {
-    const Candidate& candidate = evidence.candidates[static_cast<std::size_t>(causes[i])];
     double& a = amplitude(static_cast<Index>(i));
-    a = std::clamp(a, candidate.two_sided ? -candidate.most : 0.0, candidate.most);
+    a = amplitude_of_run(evidence.candidates[static_cast<std::size_t>(causes[i])], a);
   }
 }
 
-/// Towards the linear fit, no farther than effects may still hold.
+/// Towards the linear fit, no farther than effects may still hold; what takes whole numbers goes all the way.
 void step_towards(const HypothesisFit& fit, const Evidence& evidence, Hypothesis& h) {
   const VectorXd coded = fit.coded - h.coded, amplitude = fit.amplitude - h.amplitude;
-  double share = std::min(1.0, kLongestAmplitude / std::max(amplitude.cwiseAbs().maxCoeff(), kLongestAmplitude));
+  const auto whole = [&](Index i) {
+    return evidence.candidates[static_cast<std::size_t>(h.causes[static_cast<std::size_t>(i)])].whole;
+  };
+  double share = 1.0;
   if (coded.size() > 0) share = std::min(share, kLongestStep / std::max(coded.cwiseAbs().maxCoeff(), kLongestStep));
+  for (Index i = 0; i < amplitude.size(); ++i) {
+    if (!whole(i)) share = std::min(share, kLongestAmplitude / std::max(std::abs(amplitude(i)), kLongestAmplitude));
+  }
   h.coded += share * coded;
-  h.amplitude += share * amplitude;
+  for (Index i = 0; i < amplitude.size(); ++i) h.amplitude(i) += (whole(i) ? 1.0 : share) * amplitude(i);
   keep_within(evidence, h.causes, h.coded, h.amplitude);
 }
 

@@ -25,8 +25,8 @@ std::vector<MechanismConfig> final_mechanisms(const Confrontation& c, FinalModel
   const HypothesisFit& fit = c.conclusion.kept.front();
   for (std::size_t i = 0; i < fit.causes.size(); ++i) {
     const Candidate& candidate = c.evidence.candidates[static_cast<std::size_t>(fit.causes[i])];
-    const double amplitude = std::clamp(fit.amplitude(static_cast<Index>(i)), -candidate.most, candidate.most);
-    if (can_act(run, candidate.id)) mechanisms.push_back({candidate.id, amplitude, {}});
+    const double amplitude = amplitude_of_run(candidate, fit.amplitude(static_cast<Index>(i)));
+    if (amplitude != 0.0 && can_act(run, candidate.id)) mechanisms.push_back({candidate.id, amplitude, {}});
   }
   return mechanisms;
 }

@@ -3,8 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "core/config/cross_checks.hpp"
 #include "core/config/mechanism_declaration.hpp"
 #include "core/confrontation/test_designs.hpp"
 #include "core/confrontation/virtual_test.hpp"
@@ -17,8 +19,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr std::size_t kMeshes = 4, kMostCauses = 3;
-constexpr double kSpecimens = 5;  // that a laboratory would make of one kind
-constexpr double kRightAngle = 90.0, kHalfTurn = 180.0;
+constexpr double kSpecimens = 5;                         // that a laboratory would make of one kind
+constexpr double kRightAngle = 90.0, kHalfTurn = 180.0;  // a plane's angle lies within a right angle either way
 
 /// A design applied to one test, with what each cause predicts for it.
 struct SimulatedDesign {
@@ -30,11 +32,12 @@ struct SimulatedDesign {
 /// The mechanisms of a cause in that test.
 std::vector<MechanismConfig> mechanisms_in(const TestDesign& design, const RunConfig& run, const Candidate& candidate,
                                            double amplitude) {
-  if (candidate.id == design.switches_off || !can_act(run, candidate.id)) return {};
+  if (amplitude == 0.0 || candidate.id == design.switches_off || !can_act(run, candidate.id)) return {};
   MechanismConfig m{candidate.id, amplitude, {}};
   if (candidate.id == design.turns) {
     const auto values = mechanism_values(*find_mechanism(candidate.id), m);
-    m.parameters["angle_deg"] = std::fmod(values.at("angle_deg") + kRightAngle, kHalfTurn);
+    const double turned = values.at("angle_deg") + kRightAngle;
+    m.parameters["angle_deg"] = turned > kRightAngle ? turned - kHalfTurn : turned;
   }
   return {m};
 }
@@ -42,18 +45,20 @@ std::vector<MechanismConfig> mechanisms_in(const TestDesign& design, const RunCo
 Samples simulate(const ConfrontationConfig& config, const ConfrontationTask& task, const Confrontation& c,
                  const TestDesign& design, const RunConfig& run, std::size_t parent, const HypothesisFit& fit) {
   const Candidate& candidate = c.evidence.candidates[static_cast<std::size_t>(fit.causes.front())];
-  const double amplitude = std::clamp(fit.amplitude(0), -candidate.most, candidate.most);
+  const double amplitude = amplitude_of_run(candidate, fit.amplitude(0));
   const std::vector<double> theta = theta_at(config, c.centre + fit.coded);
+  const TestEvidence& test = c.evidence.tests[parent];
+  Samples samples = Samples::Constant(static_cast<Index>(kMeshes), static_cast<Index>(test.slots.size()),
+                                      std::numeric_limits<double>::quiet_NaN());
   std::vector<CampaignRun> runs;
   for (std::size_t mesh = 0; mesh < kMeshes; ++mesh) {
     const std::uint64_t seed = task.plan.fresh_seed + mesh;
-    runs.push_back({design.id + " under " + candidate.id + ", mesh " + std::to_string(seed),
-                    configured(run, config.parameters, theta, mechanisms_in(design, run, candidate, amplitude), seed),
-                    0.0});
+    std::optional<RunConfig> legal =
+        configured_if_legal(run, config.parameters, theta, mechanisms_in(design, run, candidate, amplitude), seed);
+    if (!legal) return samples;
+    runs.push_back({design.id + " under " + candidate.id + ", mesh " + std::to_string(seed), std::move(*legal), 0.0});
   }
-  const TestEvidence& test = c.evidence.tests[parent];
   const std::vector<RunFeatureValues> values = task.features("next tests: " + design.id, runs);
-  Samples samples(static_cast<Index>(kMeshes), static_cast<Index>(test.slots.size()));
   for (std::size_t i = 0; i < kMeshes; ++i) samples.row(static_cast<Index>(i)) = slot_values(test, values[i]);
   return samples;
 }
@@ -128,7 +133,7 @@ std::vector<SimulatedDesign> simulate_designs(const ConfrontationConfig& config,
     if (!concerns(design.concerns)) continue;
     for (std::size_t t = 0; t < made.size(); ++t) {
       const std::optional<RunConfig> run = design.change(made[t], made);
-      if (!run) continue;
+      if (!run || !cross_check(*run).empty()) continue;
       SimulatedDesign s{&design, t, {}};
       for (std::size_t k = 0; k < causes; ++k)
         s.predictions.push_back(simulate(config, task, c, design, *run, t, c.conclusion.kept[k]));

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@ struct FeatureResidual {
   double measured = 0, simulated = 0;  ///< In the feature's own unit.
   double z = 0;                        ///< Difference over its standard deviation.
   double percent = 0;                  ///< Measured over simulated, less one; NaN where the simulated value is 0.
-  double simulated_left_out = 0;       ///< After calibration without this test.
-  double z_left_out = 0;               ///< Likewise, with what is then not known of the parameters.
+  double simulated_left_out = NAN;     ///< After calibration without this test; NaN where this test alone determines
+                                       ///< a parameter, or no other one is left.
+  double z_left_out = NAN;             ///< Likewise, with what is then not known of the parameters.
 };
 
 /// In the order of the slots. Leave-one-test-out: each test predicted from the others.

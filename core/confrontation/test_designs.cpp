@@ -45,6 +45,7 @@ Changed with_loop(Made made, All all) {
   RunConfig run = made;
   const double length =
       made.experiment.type == ExperimentType::brazilian ? made.experiment.diameter_mm : made.experiment.height_mm;
+  if (made.experiment.loading.rate_control.enabled) return std::nullopt;
   run.experiment.loading.unloading = {{kUnloadAt * made.experiment.stop.axial_strain * length, kUnloadTo}};
   return run;
 }
@@ -78,7 +79,10 @@ Changed at_half_size(Made made, All) {
 Changed as_it_was(Made made, All) { return uniaxial(made) ? Changed(made) : std::nullopt; }
 
 Changed under_constant_stiffness(Made made, All) {
-  if (made.experiment.type != ExperimentType::direct_shear) return std::nullopt;
+  const auto is_spring = [](const MechanismConfig& m) { return m.type == "normal_stiffness"; };
+  if (made.experiment.type != ExperimentType::direct_shear ||
+      std::any_of(made.mechanisms.begin(), made.mechanisms.end(), is_spring))
+    return std::nullopt;
   RunConfig run = made;
   run.mechanisms.push_back({"normal_stiffness", 1.0, {}});
   return run;

@@ -176,6 +176,18 @@ RunConfig configured(const RunConfig& virtual_test, const std::vector<Confrontat
   return run;
 }
 
+std::optional<RunConfig> configured_if_legal(const RunConfig& virtual_test,
+                                             const std::vector<ConfrontationParameter>& parameters,
+                                             const std::vector<double>& theta,
+                                             const std::vector<MechanismConfig>& mechanisms, std::uint64_t seed) {
+  try {
+    return configured(virtual_test, parameters, theta, mechanisms, seed);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::config) throw;
+    return std::nullopt;
+  }
+}
+
 bool can_act(const RunConfig& virtual_test, const std::string& mechanism) {
   RunConfig run = virtual_test;
   run.mechanisms.push_back({mechanism, std::nullopt, {}});

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ RunConfig virtual_test(const ConfrontationConfig& config, const MeasuredTest& te
 RunConfig configured(const RunConfig& virtual_test, const std::vector<ConfrontationParameter>& parameters,
                      const std::vector<double>& theta, const std::vector<MechanismConfig>& mechanisms,
                      std::uint64_t seed);
+
+/// The same; nothing where it is no legal run.
+std::optional<RunConfig> configured_if_legal(const RunConfig& virtual_test,
+                                             const std::vector<ConfrontationParameter>& parameters,
+                                             const std::vector<double>& theta,
+                                             const std::vector<MechanismConfig>& mechanisms, std::uint64_t seed);
 
 /// Whether the mechanism of this id can be added to the run: it acts in its experiment and under its law.
 bool can_act(const RunConfig& virtual_test, const std::string& mechanism);

@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kLeastEffect = 0.2;  // standard deviations by which a step must move the data
-constexpr double kNone = 2.0;  // times the largest singular value: no direction has an effect
+constexpr double kNone = 2.0;         // times the largest singular value: no direction has an effect
 constexpr int kMostSteps = 50;
 constexpr double kSmallStep = 1e-9, kSmallSlope = 1e-6;
 

@@ -24,6 +24,12 @@ MechanismValues values_of(const Mechanism& mechanism, const MechanismConfig& ent
   return MechanismValues(mechanism_values(mechanism.declaration, entry));
 }
 
+/// Some settings read what others set: in alphabetical order every list of the same entries is the same run.
+std::vector<MechanismConfig> by_name(std::vector<MechanismConfig> entries) {
+  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.type < b.type; });
+  return entries;
+}
+
 }  // namespace
 
 Registered::Registered(const Mechanism& mechanism) {
@@ -33,7 +39,7 @@ Registered::Registered(const Mechanism& mechanism) {
 
 RunConfig with_mechanisms(const RunConfig& config) {
   RunConfig result = config;
-  for (const MechanismConfig& entry : config.mechanisms) {
+  for (const MechanismConfig& entry : by_name(config.mechanisms)) {
     const Mechanism& mechanism = mechanism_of(entry);
     if (mechanism.set && !is_off(entry)) mechanism.set(values_of(mechanism, entry), result);
   }

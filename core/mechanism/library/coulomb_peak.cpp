@@ -29,7 +29,8 @@ const Registered kEntry{{
     .set =
         [](const MechanismValues& value, RunConfig& config) {
           config.contacts.law.shear_peak = ShearPeak::coulomb;
-          config.extensions.peak_friction_angle_deg = config.contacts.friction_angle_deg + value("excess_deg");
+          std::optional<double>& peak = config.extensions.peak_friction_angle_deg;
+          peak = peak.value_or(config.contacts.friction_angle_deg) + value("excess_deg");
         },
 }};
 

@@ -31,7 +31,8 @@ const Registered kEntry{{
     .set =
         [](const MechanismValues& value, RunConfig& config) {
           const ContactConfig& c = config.contacts;
-          const double slope = std::tan((45.0 + 0.5 * c.friction_angle_deg) * units::kRadPerDeg);
+          const double friction = config.extensions.peak_friction_angle_deg.value_or(c.friction_angle_deg);
+          const double slope = std::tan((45.0 + 0.5 * friction) * units::kRadPerDeg);
           config.extensions.yield_stress_mpa = value("yield_over_strength") * 2.0 * c.cohesion_mpa * slope;
         },
 }};

@@ -161,6 +161,63 @@ TEST_CASE("two causes are found where both act") {
   CHECK(causes == std::vector<std::string>{"m0", "m2"});
 }
 
+TEST_CASE("a parameter at the end of its range is stepped to the other side alone") {
+  ToySimulator simulator;
+  ConfrontationTask task = task_of(simulator, truth(), {});
+  task.linearised_at = LinearisedAt::reference;
+  task.evidence.parameters[1].upper = 0.3;
+  const Confrontation c = confront(std::move(task));
+  CHECK(c.evidence.tests[0].high[1].rows() == 0);
+  CHECK(c.evidence.tests[0].low[1].rows() == 8);
+  CHECK(c.fitted.curvature.col(1).isZero());
+  CHECK((c.centre + c.base.coded - truth()).cwiseAbs().maxCoeff() < 0.4);
+}
+
+TEST_CASE("an illegal run leaves its place empty, and slots of it are not compared") {
+  ToySimulator simulator;
+  ConfrontationTask task = task_of(simulator, truth(), {});
+  task.linearised_at = LinearisedAt::reference;
+  task.configure = [&](const VirtualSpecimen& s) {
+    return s.test == 0 && s.coded(0) > 0.5 ? std::nullopt : std::optional(simulator.configure(s));
+  };
+  const Confrontation c = confront(std::move(task));
+  CHECK(c.evidence.tests[0].high[0].array().isNaN().all());
+  CHECK(c.fitted.tests.size() == 2);
+  CHECK(c.fitted.dropped.size() == ToySimulator::kFeatures);
+}
+
+TEST_CASE("kept-back tests have meshes of their own number") {
+  ToySimulator simulator;
+  ConfrontationTask task = task_of(simulator, truth(), {});
+  task.plan.fresh = 6;
+  const Confrontation c = confront(std::move(task));
+  CHECK(c.evidence.tests.front().base.rows() == 16);
+  CHECK(c.evidence.tests.back().base.rows() == 6);
+  CHECK(c.evidence.tests.back().low[0].rows() == 6);
+}
+
+TEST_CASE("a test that alone determines a parameter is not predicted without it") {
+  ToySimulator simulator;
+  ConfrontationTask task = task_of(simulator, truth(), {});
+  for (std::size_t t = 1; t < ToySimulator::kTests; ++t) task.plan.parameter_acts[t][1] = false;
+  const Confrontation c = confront(std::move(task));
+  for (const FeatureResidual& r : c.residuals) {
+    CHECK(std::isnan(r.simulated_left_out) == (r.test == "T0"));
+    CHECK(std::isnan(r.z_left_out) == (r.test == "T0"));
+  }
+}
+
+TEST_CASE("an amplitude becomes one that a run can have") {
+  const Candidate stiff{"frame", 0.6, false, false, 3.0, 0.05, false}, strips{"strips", 1, false, true, 1, 0, true},
+      rate{"rate", 0.6, true, true, 2.0};
+  CHECK(amplitude_of_run(stiff, 0.02) == 0.0);
+  CHECK(amplitude_of_run(stiff, -1.0) == 0.0);
+  CHECK(amplitude_of_run(stiff, 0.4) == 0.4);
+  CHECK(amplitude_of_run(strips, 0.7) == 1.0);
+  CHECK(amplitude_of_run(strips, 0.2) == 0.0);
+  CHECK(amplitude_of_run(rate, -5.0) == -2.0);
+}
+
 TEST_CASE("without a feature that both sides give there is one clear error") {
   ToySimulator simulator;
   ConfrontationTask task = task_of(simulator, truth(), {});

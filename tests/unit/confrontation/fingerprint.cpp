@@ -1,7 +1,7 @@
+#include "core/confrontation/fingerprint.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
-
-#include "core/confrontation/fingerprint.hpp"
 
 using namespace asperity;
 

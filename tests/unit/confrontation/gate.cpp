@@ -200,6 +200,14 @@ TEST_CASE("data that agree too well are told") {
   CHECK(analyse(std::move(evidence), 400).gate.p_too_good < 0.01);
 }
 
+TEST_CASE("ordinary data do not agree too well") {
+  const toy::World world;
+  int told = 0;
+  for (std::uint64_t draw = 0; draw < 20; ++draw)
+    told += analyse(toy::evidence(world, toy::nothing(world), draw), 200).gate.p_too_good < 0.01;
+  CHECK(told <= 1);
+}
+
 TEST_CASE("the gamma law's tail is that of an exponential sample's law") {
   RandomStream random(3, "gamma");
   std::vector<double> sample;

@@ -41,6 +41,9 @@ TEST_CASE("a loop is proposed where none was made, in the rising part") {
   REQUIRE(loop->experiment.loading.unloading.size() == 1);
   CHECK(loop->experiment.loading.unloading[0].at_mm == Approx(0.3 * 0.02 * 100));
   CHECK(!design("unload_reload").change(kTall, {kTall, *loop}));
+  RunConfig controlled = kTall;
+  controlled.experiment.loading.rate_control.enabled = true;
+  CHECK(!design("unload_reload").change(controlled, {controlled}));
 }
 
 TEST_CASE("twice the confining pressure is that of the highest one") {
@@ -58,6 +61,8 @@ TEST_CASE("size, rate and the joint's stiffness") {
   RunConfig joint;
   joint.experiment.type = ExperimentType::direct_shear;
   CHECK(design("constant_normal_stiffness").change(joint, {joint})->mechanisms.size() == 1);
+  joint.mechanisms = {{"normal_stiffness", 0.5, {}}};
+  CHECK(!design("constant_normal_stiffness").change(joint, {joint}));
   CHECK(!design("constant_normal_stiffness").change(kTall, {kTall}));
   CHECK(design("lubricated_platens").switches_off == "platen_friction");
   CHECK(design("rotated_core").turns == "weak_plane");

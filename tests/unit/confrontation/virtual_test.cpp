@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/config/write_config.hpp"
+#include "core/confrontation/confrontation_task.hpp"
 #include "tests/unit/confrontation/confrontation_folder.hpp"
 
 using namespace asperity;
@@ -55,6 +56,29 @@ TEST_CASE("a uniaxial test on a triaxial base, and a gauge that would not fit") 
   CHECK(test_of(config, "U").experiment.type == ExperimentType::uniaxial);
   CHECK(test_of(config, "U").experiment.confining_pressure_mpa == 0.0);
   CHECK(test_of(config, "T1").measurement.axial_gauge_mm == 40.0);
+}
+
+TEST_CASE("the hash of the data is that of numbers and conditions, the frozen one that of all that is decided") {
+  ConfrontationFolder folder("hashes");
+  const auto context = [&](const json& document) {
+    const ConfrontationConfig config = folder.read(document);
+    const auto count = static_cast<Eigen::Index>(config.parameters.size());
+    Confrontation c;
+    c.centre = c.base.coded = c.base.error = Eigen::VectorXd::Zero(count);
+    c.base.determined = c.base.limited = std::vector<bool>(config.parameters.size(), false);
+    return verdict_context(config, confrontation_task(config, nullptr), c);
+  };
+  const VerdictContext first = context(confrontation());
+  json other_edge = confrontation();
+  other_edge["bases"]["uniaxial"]["particles"]["edge_mm"] = 3.5;
+  CHECK(context(other_edge).data_sha256 == first.data_sha256);
+  CHECK(context(other_edge).frozen_sha256 != first.frozen_sha256);
+  folder.measured["name"] = "X";
+  folder.measured["tests"][0]["note"] = "dried";
+  CHECK(context(confrontation()).data_sha256 == first.data_sha256);
+  CHECK(context(confrontation()).frozen_sha256 == first.frozen_sha256);
+  folder.measured["tests"][1]["confining_pressure_mpa"] = 1.5;
+  CHECK(context(confrontation()).data_sha256 != first.data_sha256);
 }
 
 TEST_CASE("values for all tests lie over sizes, those for one test over all") {

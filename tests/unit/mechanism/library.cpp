@@ -13,12 +13,12 @@ using namespace asperity;
 namespace {
 
 /// The ids of the project's list of mechanisms.
-const std::set<std::string> kIds{
-    "platen_friction", "frame_compliance",     "seating",          "crack_closure",      "coulomb_peak",
-    "curved_envelope", "shear_softening",      "slip_weakening",   "rate_strengthening", "strength_scatter",
-    "initial_defects", "weak_plane",           "eccentric_load",   "joint_wear",         "joint_mismatch",
-    "normal_stiffness", "block_rotation",      "out_of_plane_strips", "weak_skin",       "particle_plasticity",
-    "mesh_size",       "loading_rate",         "damping",          "plane_condition"};
+const std::set<std::string> kIds{"platen_friction",    "frame_compliance",    "seating",         "crack_closure",
+                                 "coulomb_peak",       "curved_envelope",     "shear_softening", "slip_weakening",
+                                 "rate_strengthening", "strength_scatter",    "initial_defects", "weak_plane",
+                                 "eccentric_load",     "joint_wear",          "joint_mismatch",  "normal_stiffness",
+                                 "block_rotation",     "out_of_plane_strips", "weak_skin",       "particle_plasticity",
+                                 "mesh_size",          "loading_rate",        "damping",         "plane_condition"};
 
 std::string config_of(ExperimentType type) {
   const std::string name(word(type));
@@ -92,7 +92,26 @@ TEST_CASE("amplitude 0 leaves the settings as they are; amplitude 1 is what hold
   }
 }
 
-TEST_CASE("a configuration with mechanisms is written and read back to the same one, and another amplitude is another run") {
+TEST_CASE("two mechanisms set the same in either order") {
+  for (const MechanismDeclaration& a : declared_mechanisms()) {
+    for (const MechanismDeclaration& b : declared_mechanisms()) {
+      const auto both = std::find_if(kTypes.begin(), kTypes.end(),
+                                     [&](ExperimentType type) { return acts_in(a, type) && acts_in(b, type); });
+      if (a.id >= b.id || both == kTypes.end()) continue;
+      INFO(a.id << " and " << b.id);
+      const auto settings = [&](const std::string& first, const std::string& second) {
+        RunConfig config = with_mechanisms(read(
+            *both, "[{\"type\":\"" + first + "\",\"amplitude\":0.5},{\"type\":\"" + second + "\",\"amplitude\":0.5}]"));
+        config.mechanisms.clear();
+        return config;
+      };
+      CHECK(settings(a.id, b.id) == settings(b.id, a.id));
+    }
+  }
+}
+
+TEST_CASE(
+    "a configuration with mechanisms is written and read back to the same one, and another amplitude is another run") {
   for (const MechanismDeclaration& m : declared_mechanisms()) {
     const RunConfig config = read(m.acts_in.front(), "[{\"type\":\"" + m.id + "\", \"amplitude\": 0.75}]");
     CHECK(parse_run_config(effective_json(config), "test.json") == config);
