@@ -22,7 +22,7 @@ std::string decimals(double value, int digits) {
 PlainTable wrong_table(const ConfrontationData& data) {
   PlainTable table{
       "Features of the fitted tests, worst first. z: measured less simulated over its standard deviation. "
-      "Left out: the same after a calibration that did not see this test.",
+      "Left out: the same after a calibration that did not see this test; – where that would leave a parameter open.",
       {{"Test", "", ColumnKind::head},
        {"Feature", "", ColumnKind::text},
        {"Measured", ""},
