@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/cli_compare.hpp"
+#include "app/cli_schema.hpp"
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
 #include "core/base/build_info.hpp"
@@ -64,14 +65,6 @@ void add_validate(CLI::App& cli, Action& action) {
   add_overrides(*command, *overrides);
   command->footer("Example:\n  asperity validate configs/paper/*.json");
   command->callback([=, &action] { action = [=] { return validate_command(*configs, *overrides); }; });
-}
-
-void add_schema(CLI::App& cli, Action& action) {
-  auto kind = std::make_shared<std::string>("run");
-  CLI::App* command = cli.add_subcommand("schema", "Prints the JSON Schema of a kind of configuration");
-  command->add_option("kind", *kind, "run, campaign, calibration, confrontation or measured")->capture_default_str();
-  command->footer("Example:\n  asperity schema run > run.schema.json");
-  command->callback([=, &action] { action = [=] { return schema_command(*kind); }; });
 }
 
 void add_derive(CLI::App& cli, Action& action) {
