@@ -13,6 +13,8 @@ from support import SOURCE  # noqa: E402
 
 PAGES = markdown.markdown_files(SOURCE)
 KINDS = ("run", "campaign", "calibration", "confrontation", "measured")
+REFERENCE_KEY = re.compile(r"(?m)^\| `(/[^`]+)` \|")
+KEY = re.compile(r"^(?:/[a-z0-9_$]+)+$")
 # A path in code: of a folder of this repository, without places for names.
 PATH = re.compile(r"^(?:app|cmake|configs|core|docs|render|tests)/[\w./*{},-]+$")
 
@@ -80,6 +82,18 @@ class Mentions(support.CommandLineTest):
                         helps[words[0]] = self.succeed(words[0], "--help").stdout
                     for option in (w.split("=")[0] for w in words if w.startswith("--")):
                         self.assertRegex(helps[words[0]], rf"(?m){re.escape(option)}\b")
+
+    def test_every_key_that_a_page_names_exists(self):
+        """A JSON pointer in code is a key of some schema, or below one whose contents are free."""
+        known = {key for kind in KINDS for key in REFERENCE_KEY.findall(text_of(SOURCE / f"docs/reference/{kind}.md"))}
+        roots = {key.split("/")[1] for key in known}
+        dead = []
+        for page in PAGES:
+            for span in markdown.SPAN.findall(markdown.BLOCK.sub("", text_of(page))):
+                key = span.split("=")[0]
+                if KEY.match(key) and key.split("/")[1] in roots and key not in known:
+                    dead.append(f"{page.relative_to(SOURCE)}: {key}")
+        self.assertEqual(dead, [])
 
     def test_every_path_that_a_guide_names_exists(self):
         dead = []

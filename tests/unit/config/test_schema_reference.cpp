@@ -26,14 +26,15 @@ const ordered_json kSchema = ordered_json::parse(R"({
 /// Every key of a schema without a description, list entries included.
 void undescribed(const ordered_json& node, const std::string& pointer, std::vector<std::string>& found) {
   if (node.value("description", "").size() <= 5) found.push_back(pointer);
-  for (const auto& [key, child] : node.value("properties", ordered_json::object()).items())
-    undescribed(child, pointer + "/" + key, found);
+  const ordered_json keys = node.value("properties", ordered_json::object());
+  for (const auto& [key, child] : keys.items()) undescribed(child, pointer + "/" + key, found);
   if (node.contains("items")) undescribed(node.at("items"), pointer + "/N", found);
 }
 
 /// Pointers of every key, list entries' keys included.
 void collect(const ordered_json& node, const std::string& pointer, std::vector<std::string>& found) {
-  for (const auto& [key, child] : node.value("properties", ordered_json::object()).items()) {
+  const ordered_json keys = node.value("properties", ordered_json::object());
+  for (const auto& [key, child] : keys.items()) {
     found.push_back(pointer + "/" + key);
     collect(child, found.back(), found);
     if (child.contains("items")) collect(child.at("items"), pointer + "/" + key + "/N", found);
