@@ -67,7 +67,11 @@ ordered_json mechanisms_schema() {
           {"type", "array"},
           {"x-default", "none"},
           {"items",
-           {{"type", "object"}, {"additionalProperties", false}, {"required", {"type"}}, {"properties", properties}}}};
+           {{"description", "One mechanism."},
+            {"type", "object"},
+            {"additionalProperties", false},
+            {"required", {"type"}},
+            {"properties", properties}}}};
 }
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/config/applicability.hpp"
+#include "core/config/mechanism_declaration.hpp"
 #include "core/config/schema.hpp"
 #include "core/config/schema_lookup.hpp"
 
@@ -115,7 +116,7 @@ std::string sections_below(const ordered_json& node, const std::string& pointer,
 
 std::string section(const ordered_json& node, const std::string& pointer, bool run) {
   std::string text = "\n## `" + pointer + "`\n\n" + meaning(node) + "\n\n" + reference_table_head();
-  if (run && pointer == "/mechanisms/" + std::string(kEntry)) {
+  if (run && pointer == entry_of("/mechanisms") && !declared_mechanisms().empty()) {
     ordered_json common = node;  // parameters stand with their mechanism
     common["properties"] = {{"type", node["properties"]["type"]}, {"amplitude", node["properties"]["amplitude"]}};
     common["properties"]["type"]["description"] = "Which mechanism of the library: one of those below.";

@@ -35,9 +35,10 @@ void undescribed(const ordered_json& node, const std::string& pointer, std::vect
 void collect(const ordered_json& node, const std::string& pointer, std::vector<std::string>& found) {
   const ordered_json keys = node.value("properties", ordered_json::object());
   for (const auto& [key, child] : keys.items()) {
-    found.push_back(pointer + "/" + key);
-    collect(child, found.back(), found);
-    if (child.contains("items")) collect(child.at("items"), pointer + "/" + key + "/N", found);
+    const std::string there = pointer + "/" + key;
+    found.push_back(there);
+    collect(child, there, found);
+    if (child.contains("items")) collect(child.at("items"), there + "/N", found);
   }
 }
 
@@ -81,7 +82,10 @@ TEST_CASE("every key of every schema, list entries included, is described and st
     collect(schema, "", pointers);
     CHECK(pointers.size() > 20);
     const std::string page = schema_reference(kind);
-    for (const std::string& pointer : pointers) CHECK_THAT(page, Contains("\n| `" + pointer + "` | "));
+    std::vector<std::string> missing;
+    for (const std::string& pointer : pointers)
+      if (page.find("\n| `" + pointer + "` | ") == std::string::npos) missing.push_back(pointer);
+    CHECK(missing == std::vector<std::string>{});
   }
 }
 
