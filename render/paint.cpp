@@ -5,8 +5,8 @@
 #include <vtkCellArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -30,8 +30,7 @@
 namespace asperity::render {
 namespace {
 
-constexpr int kSamples = 4;         // more is not given by llvmpipe
-constexpr int kPngCompression = 1;  // 9 takes eight times as long for 3 % less
+constexpr int kSamples = 4;  // more is not given by llvmpipe
 
 vtkNew<vtkPolyData> to_poly_data(const std::vector<Triangle>& triangles, int height) {
   vtkNew<vtkPoints> points;
@@ -139,17 +138,17 @@ class Painter {
     window_ = nullptr;
   }
 
-  std::string png(const Drawing& drawing) {
+  Pixels pixels(const Drawing& drawing) {
     context_.make_current();
     const auto renderer = scene(drawing);
     window_->SetSize(drawing.width, drawing.height);
     window_->AddRenderer(renderer);
     window_->Render();
-    std::string bytes = grab();
+    Pixels pixels = grab();
     window_->RemoveRenderer(renderer);
     renderer->ReleaseGraphicsResources(window_);
     context_.release();
-    return bytes;
+    return pixels;
   }
 
  private:
@@ -169,37 +168,34 @@ class Painter {
     return renderer;
   }
 
-  std::string grab() {
-    vtkNew<vtkWindowToImageFilter> image;
-    image->SetInput(window_);
-    image->SetInputBufferTypeToRGB();
-    image->ReadFrontBufferOff();
-    image->ShouldRerenderOff();
-    vtkNew<vtkPNGWriter> writer;
-    writer->SetInputConnection(image->GetOutputPort());
-    writer->SetCompressionLevel(kPngCompression);
-    writer->WriteToMemoryOn();
-    writer->Write();
-    const vtkUnsignedCharArray* result = writer->GetResult();
-    auto* bytes = const_cast<vtkUnsignedCharArray*>(result);
-    return {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())};
+  Pixels grab() {
+    vtkNew<vtkWindowToImageFilter> filter;
+    filter->SetInput(window_);
+    filter->SetInputBufferTypeToRGB();
+    filter->ReadFrontBufferOff();
+    filter->ShouldRerenderOff();
+    filter->Update();
+    vtkImageData* image = filter->GetOutput();
+    const auto* bytes = static_cast<const unsigned char*>(image->GetScalarPointer());
+    const int width = image->GetDimensions()[0], height = image->GetDimensions()[1];
+    return {width, height, {bytes, bytes + 3 * image->GetNumberOfPoints()}};
   }
 
   GlContext context_;
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
 };
 
-std::string paint(const Drawing& drawing) {
+}  // namespace
+
+Pixels paint(const Drawing& drawing) {
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
   static Painter painter;
-  return painter.png(drawing);
+  return painter.pixels(drawing);
 }
 
-}  // namespace
-
 void write_png(const Drawing& drawing, const std::filesystem::path& path) {
-  write_file_atomically(path, paint(drawing));
+  write_file_atomically(path, png_bytes(paint(drawing)));
 }
 
 }  // namespace asperity::render

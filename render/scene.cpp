@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 #include "core/base/atomic_file.hpp"
 #include "render/paint.hpp"
@@ -35,8 +36,8 @@ std::string state_of(const Frame& frame, const PictureOptions& options) {
     return value < 0 && !zero ? "−" + text : text;
   };
   std::string text = "Time " + number("{:.3f}", 1e3 * frame.time_s) + " ms  ·  " + texts.strain + " " +
-                     number("{:.3f}", texts.strain_factor * frame.axial_strain) + " " + texts.strain_unit + "  ·  " + texts.stress + " " +
-                     number("{:.2f}", frame.stress_mpa) + " MPa";
+                     number("{:.3f}", texts.strain_factor * frame.axial_strain) + " " + texts.strain_unit + "  ·  " +
+                     texts.stress + " " + number("{:.2f}", frame.stress_mpa) + " MPa";
   if (frame.confining_pressure_mpa != 0)
     text += "  ·  Confining pressure " + number("{:.2f}", frame.confining_pressure_mpa) + " MPa";
   if (frame.joint.length_mm > 0) text += "  ·  Dilation " + number("{:.2f}", frame.joint.dilation_mm) + " mm";
@@ -66,6 +67,26 @@ View place_view(const Frame& frame, const Drawing& drawing, double unit) {
   view.beside = kBeside * unit;
   return view;
 }
+
+/// Encodes and writes each picture on a thread of its own while the next one is painted.
+class WriterBehind {
+ public:
+  void write(Pixels pixels, const std::filesystem::path& png) {
+    finish();
+    written_ = std::async(std::launch::async, [pixels = std::move(pixels), png] {
+      write_file_atomically(preview_path(png), preview_bytes(pixels));
+      write_file_atomically(png, png_bytes(pixels));  // last: where it stands, its preview does too
+    });
+  }
+
+  /// Waits for the last picture. Throws what its writing threw.
+  void finish() {
+    if (written_.valid()) written_.get();
+  }
+
+ private:
+  std::future<void> written_;
+};
 
 }  // namespace
 
@@ -112,23 +133,30 @@ std::filesystem::path picture_path(const std::filesystem::path& run_dir, Field f
   return run_dir / "frames" / fmt::format("{}_{:06}.png", field_name(field), frame);
 }
 
+std::filesystem::path preview_path(std::filesystem::path picture) { return picture.replace_extension(".jpg"); }
+
 bool draw_series(const std::filesystem::path& run_dir, const std::vector<Field>& fields, const std::vector<int>& frames,
                  const PictureOptions& options, const std::function<bool()>& interrupted) {
   if (std::find(fields.begin(), fields.end(), Field::contacts) != fields.end()) require_contacts(run_dir);
   const SeriesRanges ranges = ranges_over_series(run_dir, fields);
   make_folder(run_dir / "frames");
+  WriterBehind writer;
   for (const int index : frames) {
     const Frame frame = read_frame(run_dir, index);
     for (std::size_t f = 0; f < fields.size(); ++f) {
-      if (interrupted && interrupted()) return false;
+      if (interrupted && interrupted()) {
+        writer.finish();
+        return false;
+      }
       PictureOptions picture = options;
       picture.field = fields[f];
       if (!picture.value_range) picture.value_range = range_in_run(frame, fields[f], ranges.values[f]);
       if (!picture.strain_range) picture.strain_range = ranges.strain;
       if (!picture.stress_range) picture.stress_range = ranges.stress;
-      draw_frame(frame, picture, picture_path(run_dir, fields[f], index));
+      writer.write(paint(draw_picture(frame, picture)), picture_path(run_dir, fields[f], index));
     }
   }
+  writer.finish();
   return true;
 }
 

@@ -44,9 +44,12 @@ std::optional<Range> range_over_series(const std::filesystem::path& run_dir, Fie
 /// frames/<field>_<frame>.png of a run.
 std::filesystem::path picture_path(const std::filesystem::path& run_dir, Field field, int frame);
 
-/// Draws frames/<field>_<frame>.png for every field and frame, from the run's VTU files alone, all with the ranges of
-/// the whole series unless `options` fixes them; options.field is not used. `interrupted`, unless empty, is asked
-/// before each picture; returns false where it ended the drawing. Errors: Error(output) with path and reason.
+/// The same picture at half its size, for pages: frames/<field>_<frame>.jpg.
+std::filesystem::path preview_path(std::filesystem::path picture);
+
+/// Draws frames/<field>_<frame>.png and its preview for every field and frame, from the run's VTU files alone, all with
+/// the ranges of the whole series unless `options` fixes them; options.field is not used. `interrupted`, unless empty,
+/// is asked before each picture; returns false where it ended the drawing. Errors: Error(output) with path and reason.
 bool draw_series(const std::filesystem::path& run_dir, const std::vector<Field>& fields, const std::vector<int>& frames,
                  const PictureOptions& options, const std::function<bool()>& interrupted = {});
 

@@ -44,6 +44,12 @@ html::SmallCurve small_curve(const RunContext& context) {
   return curve;
 }
 
+/// A picture's preview; the picture itself in the folder of a run that was drawn before there were previews.
+fs::path shown_picture(const fs::path& folder, const fs::path& picture) {
+  const fs::path preview = render::preview_path(picture);
+  return fs::exists(folder / preview) ? preview : picture;
+}
+
 /// The kinds of pictures of which at least one was drawn, those of the configuration first.
 std::vector<html::PictureKind> picture_kinds(const RunContext& context) {
   std::vector<std::string> names = context.config.output.fields;
@@ -52,14 +58,15 @@ std::vector<html::PictureKind> picture_kinds(const RunContext& context) {
       names.push_back(name);
   std::vector<html::PictureKind> kinds;
   for (const std::string& name : names) {
-    html::PictureKind kind{name, {}};
+    html::PictureKind kind{name, {}, {}};
     std::replace(kind.name.begin(), kind.name.end(), '_', ' ');
     bool any = false;
     for (const RunFrame& frame : context.frames) {
       const fs::path picture = render::picture_path("", *render::field_from_name(name), frame.number);
       const bool there = fs::exists(context.folder / picture);
       any = any || there;
-      kind.sources.push_back(there ? html::linked_source(picture) : "");
+      kind.originals.push_back(there ? html::linked_source(picture) : "");
+      kind.sources.push_back(there ? html::linked_source(shown_picture(context.folder, picture)) : "");
     }
     if (any) kinds.push_back(std::move(kind));
   }
@@ -117,7 +124,8 @@ html::Section pictures_section(const RunContext& context) {
     section.parts.push_back(*strip);
   if (std::vector<html::PictureKind> kinds = picture_kinds(context); !kinds.empty()) {
     section.parts.push_back(html::paragraph(
-        "Every frame: choose the kind of picture, then move the slider with the mouse or the arrow keys."));
+        "Every frame: choose the kind of picture, then move the slider with the mouse or the arrow keys. A click on "
+        "the picture opens it in full size."));
     section.parts.push_back(viewer(context, std::move(kinds)));
   } else {
     section.parts.push_back(

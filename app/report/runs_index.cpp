@@ -63,12 +63,16 @@ std::string set_up_words(const RunConfig& config) {
                      mechanisms.empty() ? "" : "; " + mechanisms);
 }
 
-/// The last frame in the first of the configuration's fields that was drawn; else the strip.
+/// The last frame in the first of the configuration's fields that was drawn, its preview if there is one; else the
+/// strip.
 std::optional<fs::path> last_picture(const fs::path& run, const RunConfig& config) {
   const int last = fs::exists(run / "fields.pvd") ? static_cast<int>(render::series_times(run).size()) - 1 : -1;
   for (const std::string& name : config.output.fields) {
     const auto field = render::field_from_name(name);
-    if (field && fs::exists(render::picture_path(run, *field, last))) return render::picture_path("", *field, last);
+    if (!field) continue;
+    const fs::path picture = render::picture_path("", *field, last), preview = render::preview_path(picture);
+    if (fs::exists(run / preview)) return preview;
+    if (fs::exists(run / picture)) return picture;
   }
   const fs::path strip = fs::path("plots") / "strip.png";
   return fs::exists(run / strip) ? std::optional(strip) : std::nullopt;

@@ -74,7 +74,8 @@ std::string curve_html(const SmallCurve& curve, const FrameState& shown) {
 
 Json data_of(const FrameViewer& viewer) {
   Json kinds = Json::array(), frames = Json::array();
-  for (const PictureKind& kind : viewer.kinds) kinds.push_back({{"name", kind.name}, {"sources", kind.sources}});
+  for (const PictureKind& kind : viewer.kinds)
+    kinds.push_back({{"name", kind.name}, {"sources", kind.sources}, {"originals", kind.originals}});
   for (const FrameState& frame : viewer.frames) {
     frames.push_back({{"x", std::round(10 * place_x(viewer.curve, frame.x)) / 10},
                       {"y", std::round(10 * place_y(viewer.curve, frame.y)) / 10},
@@ -106,14 +107,14 @@ Markup frame_viewer(const FrameViewer& viewer) {
   assert(!viewer.kinds.empty() && viewer.shown < viewer.frames.size());
   const FrameState& shown = viewer.frames[viewer.shown];
   const PictureKind& kind = viewer.kinds.front();
-  const std::string& source = kind.sources.at(viewer.shown);
+  const std::string &source = kind.sources.at(viewer.shown), &original = kind.originals.at(viewer.shown);
   std::string out = fmt::format("<div class=\"viewer\" data-viewer=\"{}\">\n", escaped(data_of(viewer).dump()));
   out += "<div class=\"controls\" hidden>" + kind_buttons(viewer) + frame_slider(viewer) + "</div>\n";
   out += fmt::format("<p class=\"state\" aria-live=\"polite\">{}</p>\n", escaped(shown.text));
   out += fmt::format(
-      "<div class=\"viewed\"><div><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}, {2}\"></a>"
+      "<div class=\"viewed\"><div><a href=\"{3}\"><img src=\"{0}\" alt=\"{1}, {2}\"></a>"
       "<p class=\"missing\" hidden>No picture of this kind was drawn of this frame.</p></div>",
-      source, escaped(kind.name), escaped(shown.text));
+      source, escaped(kind.name), escaped(shown.text), original);
   out += curve_html(viewer.curve, shown);
   out +=
       "</div>\n<noscript><p>Without scripts the page shows one frame; all are beside it, in the folder "
@@ -143,7 +144,8 @@ for (const viewer of document.querySelectorAll(".viewer")) {
     link.hidden = !source;
     find(".missing").hidden = Boolean(source);
     if (!source) return;
-    link.href = image.src = source;
+    image.src = source;
+    link.href = kind().originals[number];
     image.alt = kind().name + ", " + frame.text;
     const next = kind().sources[number + 1];
     if (next) new Image().src = next;

@@ -30,7 +30,8 @@ struct SmallCurve {
 /// Pictures of one kind: an address (linked_source) a frame, empty where there is no picture.
 struct PictureKind {
   std::string name;
-  std::vector<std::string> sources;
+  std::vector<std::string> sources;    ///< What the page shows.
+  std::vector<std::string> originals;  ///< Full size, behind a click.
 };
 
 /// Where a frame stands on the curve, and what is said of it: "Frame 3 of 25: 0.48 mm, 1.40 MPa".

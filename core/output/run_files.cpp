@@ -29,7 +29,7 @@ const std::regex& run_file_pattern() {
       "(config\\.(original|effective)\\.json|manifest\\.json|summary\\.json|log\\.txt|report\\.html"
       "|(curves|energy|cracks|events|fragments|measured)\\.csv|(fields|cracks|contacts)\\.pvd"
       "|fields/fields_[0-9]{6}\\.vtu|cracks/cracks_[0-9]{6}\\.vtu|contacts/contacts_[0-9]{6}\\.vtu|frames/"
-      "[a-z_]+_[0-9]{6}\\.png"
+      "[a-z_]+_[0-9]{6}\\.(png|jpg)"
       "|checkpoint/[a-z]+(_[0-9]+)?\\.(bin|json)|" +
       plot_pattern() + ")(\\.tmp)?");
   return pattern;

@@ -38,7 +38,7 @@ def listing(folder):
 
 def result_files(folder):
     """What two runs of one configuration have the same bytes of, relative to the folder: tables, series, pictures."""
-    kinds = (".csv", ".pvd", ".vtu", ".png")
+    kinds = (".csv", ".pvd", ".vtu", ".png", ".jpg")
     return sorted(p.relative_to(folder) for p in folder.rglob("*") if p.suffix in kinds)
 
 

@@ -72,14 +72,14 @@ class RunFolder(support.CommandLineTest):
     def test_every_file_of_the_design_is_there_and_not_empty(self):
         frames = range(self.frame_count())
         numbered = [f"{s}/{s}_{i:06}.vtu" for s in ("fields", "cracks", "contacts") for i in frames]
-        numbered += [f"frames/{field}_{i:06}.png" for field in ("cracks", "damage") for i in frames]
+        numbered += [f"frames/{field}_{i:06}.{kind}" for field in ("cracks", "damage") for i in frames for kind in ("png", "jpg")]
         for name in [*FILES, *PLOTS, *numbered]:
             self.assertGreater((self.folder / name).stat().st_size, 0, name)
         self.assertTrue((self.folder / "checkpoint").is_dir())
         self.assertEqual(list(self.folder.rglob("*.tmp")), [])
 
     def test_nothing_else_is_there(self):
-        known = re.compile(r"\.asperity\.lock|report\.html|(fields|cracks|contacts|frames|plots|checkpoint)(/[a-z_]+(_\d{6})?\.(vtu|png|svg|csv))?")
+        known = re.compile(r"\.asperity\.lock|report\.html|(fields|cracks|contacts|frames|plots|checkpoint)(/[a-z_]+(_\d{6})?\.(vtu|png|jpg|svg|csv))?")
         for name in support.listing(self.folder):
             self.assertTrue(name in FILES or known.fullmatch(name), name)
 
@@ -204,8 +204,9 @@ class RunFolder(support.CommandLineTest):
         result = self.succeed("render", folder, "--field", "displacement", "--field", "stress", "--frames", "last")
         last = self.frame_count() - 1
         self.assertEqual(result.stdout.splitlines()[-1], str(folder / "frames"))
-        drawn = sorted((folder / "frames").iterdir())
-        self.assertEqual([p.name for p in drawn], [f"{field}_{last:06}.png" for field in ("displacement", "stress")])
+        self.assertEqual({p.name for p in (folder / "frames").iterdir()},
+                         {f"{field}_{last:06}.{kind}" for field in ("displacement", "stress") for kind in ("png", "jpg")})
+        drawn = sorted((folder / "frames").glob("*.png"))
         for path in drawn:
             self.assertEqual(picture(path), ((400, 300), True), path)
 
@@ -213,7 +214,7 @@ class RunFolder(support.CommandLineTest):
         folder = self.copy("drawn_same")
         (folder / "frames/damage_000001.png").unlink()
         self.succeed("render", folder, "--field", "damage", "--frames", "1")
-        self.assert_same_bytes(folder, self.folder, ["frames/damage_000001.png"])
+        self.assert_same_bytes(folder, self.folder, ["frames/damage_000001.png", "frames/damage_000001.jpg"])
 
     def test_render_refuses_what_it_cannot_draw(self):
         text = self.fail_with(2, "render", self.folder, "--field", "happiness")

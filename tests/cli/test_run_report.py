@@ -63,8 +63,9 @@ class RunReport(support.CommandLineTest):
         self.assertEqual([kind["name"] for kind in data["kinds"]], ["cracks", "fragments"])
         for kind in data["kinds"]:
             self.assertEqual(len(kind["sources"]), frames)
-            for source in kind["sources"]:
-                self.assertTrue((self.joint / source).is_file(), source)
+            for source, original in zip(kind["sources"], kind["originals"]):
+                self.assertEqual((source[-4:], original), (".jpg", source[:-4] + ".png"))
+                self.assertLess((self.joint / source).stat().st_size, (self.joint / original).stat().st_size)
         places = [frame["x"] for frame in data["frames"]]
         self.assertEqual(places, sorted(places))
         self.assertIn("shear displacement 0.000 mm", data["frames"][0]["text"])

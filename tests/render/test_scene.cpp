@@ -193,6 +193,8 @@ TEST_CASE("A series is drawn from its VTU files alone, with one colour range") {
   for (const char* name :
        {"shear_stress_000000.png", "shear_stress_000001.png", "cracks_000000.png", "cracks_000001.png"})
     CHECK(test::read_picture(run / "frames" / name).width == 1600);
+  CHECK(test::file_bytes(run / "frames/cracks_000001.jpg").starts_with("\xFF\xD8\xFF"));
+  CHECK(fs::file_size(run / "frames/cracks_000001.jpg") < fs::file_size(run / "frames/cracks_000001.png") / 2);
   const Colour high = colour_at(ColourMap::viridis, 1);
   CHECK(test::read_picture(run / "frames/shear_stress_000000.png").count(high) == 0);
   CHECK(test::read_picture(run / "frames/shear_stress_000001.png").count(high) > 100);
@@ -254,6 +256,15 @@ TEST_CASE("A picture that cannot be written is an output error") {
   } catch (const Error& error) {
     CHECK(error.kind() == ErrorKind::output);
     CHECK_THAT(error.what(), Catch::Contains("x.png"));
+  }
+}
+
+TEST_CASE("A picture of a series that cannot be written is an output error, whichever it is") {
+  for (const char* name : {"cracks_000000.jpg", "damage_000000.png"}) {
+    const fs::path run = test::scratch("render_no_series");
+    SeriesWriter(run).write(test::synthetic_disc());
+    fs::create_directories(run / "frames" / name);
+    CHECK_THROWS_WITH(draw_series(run, {Field::cracks, Field::damage}, {0}, {}), Catch::Contains(name));
   }
 }
 

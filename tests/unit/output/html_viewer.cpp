@@ -9,7 +9,8 @@ namespace {
 
 html::FrameViewer two_frames() {
   html::FrameViewer viewer;
-  viewer.kinds = {{"cracks & more", {"frames/a%201.png", "frames/b.png"}}, {"damage", {"", "frames/c.png"}}};
+  viewer.kinds = {{"cracks & more", {"frames/a%201.jpg", "frames/b.jpg"}, {"frames/a%201.png", "frames/b.png"}},
+                  {"damage", {"", "frames/c.jpg"}, {"", "frames/c.png"}}};
   viewer.frames = {{0, 0, "Frame 1 of 2: 0 mm"}, {1, 2, "Frame 2 of 2: 1 mm"}};
   viewer.shown = 1;
   viewer.curve = {{"u [mm]", 0, 1, {{0, "0"}, {1, "1"}}},
@@ -30,7 +31,7 @@ int count(const std::string& text, const std::string& part) {
 
 TEST_CASE("A viewer shows its frame without a script, and says which") {
   const std::string page = html::frame_viewer(two_frames()).html();
-  CHECK_THAT(page, Catch::Contains("<img src=\"frames/b.png\" alt=\"cracks &amp; more, Frame 2 of 2: 1 mm\">"));
+  CHECK_THAT(page, Catch::Contains("<a href=\"frames/b.png\"><img src=\"frames/b.jpg\" alt=\"cracks &amp; more, Frame 2 of 2: 1 mm\">"));
   CHECK_THAT(page, Catch::Contains("<div class=\"controls\" hidden>"));
   CHECK_THAT(page, Catch::Contains("aria-live=\"polite\">Frame 2 of 2: 1 mm</p>"));
   CHECK_THAT(page, Catch::Contains("<noscript>"));
@@ -47,7 +48,8 @@ TEST_CASE("Kinds are radio buttons and frames a slider, each with a name") {
 
 TEST_CASE("What the script reads is in the page, escaped, with the point's place on the drawing") {
   const std::string page = html::frame_viewer(two_frames()).html();
-  CHECK_THAT(page, Catch::Contains("&quot;cracks &amp; more&quot;") && Catch::Contains("&quot;frames/a%201.png&quot;"));
+  CHECK_THAT(page, Catch::Contains("&quot;cracks &amp; more&quot;") && Catch::Contains("&quot;frames/a%201.png&quot;") &&
+                       Catch::Contains("&quot;frames/a%201.jpg&quot;"));
   // The second frame stands in the drawing's upper right corner, the first in the lower left one.
   CHECK_THAT(page, Catch::Contains("{&quot;x&quot;:466.0,&quot;y&quot;:14.0,") &&
                        Catch::Contains("{&quot;x&quot;:62.0,&quot;y&quot;:278.0,"));

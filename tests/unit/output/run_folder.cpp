@@ -223,6 +223,7 @@ TEST_CASE("a finished run is cleared only after its manifest says that it is no 
 
 TEST_CASE("files of a run are known by their exact names") {
   CHECK(is_run_file("frames/cracks_000012.png"));
+  CHECK(is_run_file("frames/cracks_000012.jpg"));
   CHECK(is_run_file("contacts/contacts_000012.vtu"));
   CHECK(is_run_file("contacts.pvd"));
   CHECK(is_run_file("measured.csv"));
