@@ -35,7 +35,10 @@ def draw(*arguments):
 
 
 def copied(source, name):
-    return pathlib.Path(shutil.copytree(source, SCRATCH / name))
+    """A copy that can be drawn into: version control keeps no empty folder."""
+    folder = pathlib.Path(shutil.copytree(source, SCRATCH / name))
+    (folder / "plots").mkdir(exist_ok=True)
+    return folder
 
 
 def draw_runs():
