@@ -13,7 +13,7 @@ namespace asperity::render {
 namespace {
 
 constexpr int kPngCompression = 1;  // 9 takes eight times as long for 3 % less
-constexpr int kJpegQuality = 70;    // of 100: 500 previews of 800 x 600 weigh some 17 MB
+constexpr int kJpegQuality = 64;    // of 100; README.md has what previews weigh
 
 /// The pixels as VTK's image, which reads them in place.
 vtkNew<vtkImageData> image_of(const Pixels& pixels) {

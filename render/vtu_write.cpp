@@ -160,6 +160,24 @@ vtkNew<vtkUnstructuredGrid> line_grid(const std::vector<Line>& lines) {
   return grid;
 }
 
+/// A line for each array of the file: its unit, or what its numbers stand for.
+std::vector<std::string> field_units(const Frame& frame) {
+  std::vector<std::string> units{
+      "points [mm]", "TimeValue [s]", "stress [MPa], tension positive", "principal_stress_max [MPa], in the plane",
+      "principal_stress_min [MPa], in the plane", "max_shear_stress [MPa], in the plane", "damage [-]",
+      "grain: number, -1 where particles are no parts of grains", "fragment: number, 0 the largest",
+      "displacement [mm]", "velocity [mm/s]", "axial_strain [-], shortening positive",
+      "axial_stress [MPa], compression positive", "confining_pressure [MPa]", "platen_y [mm], bottom and top",
+      "curve_axial_strain [-]", "curve_lateral_strain [-]", "curve_stress [MPa]"};
+  if (frame.jaws.radius_mm > 0.0) units.push_back("jaws [mm]: radius, place of the centre, half the width");
+  if (frame.joint.length_mm > 0.0)
+    units.push_back(
+        "joint [mm]: length, rise of the profile, range of the shear displacement, shear displacement, dilation, lift "
+        "of the upper block");
+  if (!frame.half.empty()) units.push_back("half: 0 lower, 1 upper");
+  return units;
+}
+
 std::string bytes_of(vtkUnstructuredGrid* grid) {
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);
@@ -193,15 +211,7 @@ std::string fields_vtu(const Frame& frame) {
   add_cell_fields(grid->GetCellData(), frame);
   add_vectors(grid->GetPointData(), "displacement", frame.displacement);
   add_vectors(grid->GetPointData(), "velocity", frame.velocity);
-  add_head(
-      grid->GetFieldData(), frame,
-      {"points [mm]", "TimeValue [s]", "stress [MPa], tension positive", "principal_stress_max [MPa], in the plane",
-       "principal_stress_min [MPa], in the plane", "max_shear_stress [MPa], in the plane", "damage [-]",
-       "displacement [mm]", "velocity [mm/s]", "axial_strain [-], shortening positive",
-       "axial_stress [MPa], compression positive", "confining_pressure [MPa]", "platen_y [mm], bottom and top",
-       "curve_axial_strain [-]", "curve_lateral_strain [-]", "curve_stress [MPa]",
-       "joint [mm]: length, rise of the profile, range of the shear displacement, shear displacement, dilation, lift of the upper block",
-       "half: 0 lower, 1 upper (joints)"});
+  add_head(grid->GetFieldData(), frame, field_units(frame));
   add_curve(grid->GetFieldData(), frame);
   return bytes_of(grid);
 }

@@ -163,6 +163,7 @@ thead button:hover { border-color: var(--soft); }
 dt { font-weight: 600; margin-top: .9rem; }
 dd { margin: .15rem 0 0 1.5rem; }
 footer { margin-top: 4rem; padding-top: 1rem; border-top: 1px solid var(--line); color: var(--soft); font-size: .9rem; }
+@media (max-width: 30rem) { .formula { white-space: normal; } }
 @media print {
   :root { --paper: #ffffff; --ink: #000000; --soft: #333333; --line: #999999; --stripe: #f4f4f4; --link: #000000;
     --good: #0b6b4a; --good-fill: #ffffff; --bad: #a03c00; --bad-fill: #ffffff; --note: #00507d; --note-fill: #ffffff; }
@@ -170,8 +171,14 @@ footer { margin-top: 4rem; padding-top: 1rem; border-top: 1px solid var(--line);
   nav, .controls { display: none; }
   h2, h3, h4 { break-after: avoid; }
   .wide { overflow: visible; }
-  table { font-size: 8.5pt; }
-  th, td { padding: .15rem .4rem; }
+  table { font-size: 7.5pt; line-height: 1.3; }
+  th, td { padding: .12rem .22rem; }
+  td:not(.number), td.prose { min-width: 0; }
+  td, tbody th { overflow-wrap: break-word; }
+  .number, .sortable td:last-child, fieldset label { white-space: normal; }
+  .sortable table { font-size: 6.5pt; }
+  thead button { padding: 0; margin: 0; border: 0; min-width: 0; font-size: inherit; }
+  .thumbnail, .thumbnail img { width: 3.5rem; height: auto; }
   thead { display: table-header-group; }
   tr { break-inside: avoid; }
 }

@@ -1,10 +1,12 @@
 """The page of a run: written with it and by `asperity report`, from the folder's files alone; measured curves in plots and page."""
 import json
 import shutil
+import subprocess
+import sys
 
 import support
 from report_page import Page, check_self_contained
-from support import SCRATCH, TINY, asperity, settings
+from support import SCRATCH, SOURCE, TINY, asperity, settings
 
 JOINT = TINY.with_name("tiny_joint.json")
 DISC_SECTIONS = ["Results", "Pictures", "Curves", "Failure mode", "Cracks", "Energy", "Acoustic events", "Cost", "Provenance"]
@@ -101,6 +103,11 @@ class RunReport(support.CommandLineTest):
         cracks = self.summary(self.disc)["cracks"]
         self.assertEqual(cracks["acoustic_events"], len((self.disc / "events.csv").read_text().splitlines()) - 1)
         self.assertIn("fragment d50", page.words)
+
+    def test_a_joints_series_by_an_independent_reader(self):
+        checker = SOURCE / "tests/render/check_series.py"
+        result = subprocess.run([sys.executable, "-B", checker, self.joint], capture_output=True, text=True, timeout=support.SECONDS)
+        self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_a_joint_stops_at_its_shear_displacement(self):
         self.assertEqual(self.summary(self.joint)["experiment"]["stopped"], "reached the stop shear displacement")

@@ -1,6 +1,8 @@
-"""Opens a run folder's VTU series with Debian's own VTK and checks what ParaView needs. Usage: check_series.py RUN_DIR"""
+"""Opens a run folder's VTU series with Debian's own VTK and checks what ParaView needs: every array is there and finite, its unit
+stands in the file, and docs/paraview.md lists it with that unit. Usage: check_series.py RUN_DIR"""
 import math
 import pathlib
+import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
@@ -43,6 +45,39 @@ def check_arrays(data, expected, length, path):
             assert all(math.isfinite(v) for v in array.GetTuple(i)), f"{path}: {name}[{i}]"
 
 
+def units_in(field):
+    """Of a file: the unit of each array, empty where it is a number without one."""
+    lines = field.GetAbstractArray("units")
+    matches = [re.match(r"(\w+)(?: \[([^]]+)\])?", lines.GetValue(i)) for i in range(lines.GetNumberOfValues())]
+    return {match[1]: match[2] or "" for match in matches}
+
+
+def units_in_guide():
+    """Of docs/paraview.md: series, array and unit of each row of its tables."""
+    guide = pathlib.Path(__file__).resolve().parents[2] / "docs" / "paraview.md"
+    rows = {}
+    series = ""
+    for line in guide.read_text(encoding="utf-8").splitlines():
+        if line.startswith("### "):
+            series = line.split("`")[1].removesuffix(".pvd")
+        elif line.startswith("| `"):
+            name, _, unit, _ = (cell.strip() for cell in line.strip("|").split("|"))
+            rows[series, name.strip("`")] = "" if unit == "number" else unit
+    return rows
+
+
+GUIDE = units_in_guide()
+
+
+def check_units(grid, series, path):
+    field = grid.GetFieldData()
+    units = units_in(field)
+    names = {data.GetArrayName(i) for data in (field, grid.GetCellData(), grid.GetPointData()) for i in range(data.GetNumberOfArrays())}
+    assert set(units) == names - {"experiment", "name", "units"} | {"points"}, f"{path}: units of {sorted(units)}, arrays {sorted(names)}"
+    for name, unit in units.items():
+        assert GUIDE.get((series, name)) == unit, f"{path}: {name} [{unit}], but docs/paraview.md has {GUIDE.get((series, name))}"
+
+
 def check_grid(grid, expected, time, cell_type, path):
     field = grid.GetFieldData()
     assert field.GetArrayName(0) == "TimeValue", path
@@ -68,6 +103,7 @@ def check_series(run, series, expected, cell_type):
         assert b'header_type="UInt64"' in head and b"vtkZLibDataCompressor" in head, path
         grid = read(path)
         check_grid(grid, expected, float(step.get("timestep")), cell_type, path)
+        check_units(grid, series, path)
         counts.append(grid.GetNumberOfCells())
     return counts
 
