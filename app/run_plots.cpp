@@ -11,6 +11,7 @@
 #include "core/output/csv.hpp"
 #include "core/output/measured_curve.hpp"
 #include "core/output/summary.hpp"
+#include "render/axes.hpp"
 #include "render/film_strip.hpp"
 #include "render/paint.hpp"
 #include "render/plots.hpp"
@@ -180,7 +181,8 @@ void plot_cracks(const CsvData& curves, ExperimentType type, const std::filesyst
 
 std::string panel_caption(const RunFrame& frame, ExperimentType type) {
   const bool joint = type == ExperimentType::direct_shear;
-  return fmt::format("{:.{}f} {}, {:.2f} MPa", frame.abscissa, joint ? 2 : 3, joint ? "mm" : "%", frame.stress_mpa);
+  return render::tick_label(frame.abscissa, joint ? 0.01 : 0.001) + (joint ? " mm, " : " %, ") +
+         render::tick_label(frame.stress_mpa, 0.01) + " MPa";
 }
 
 }  // namespace

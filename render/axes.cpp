@@ -131,7 +131,8 @@ std::string tick_label(double value, double step) {
   const int decimals = step > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9) : 3;
   if (std::abs(value) < 1e-9 * step) value = 0;
   const std::string digits = fmt::format("{:.{}f}", std::abs(value), decimals);
-  return value < 0 ? "−" + digits : digits;
+  const bool zero = digits.find_first_not_of("0.") == std::string::npos;
+  return value < 0 && !zero ? "−" + digits : digits;
 }
 
 Axis make_log_axis(Range exponents, const std::string& label) {

@@ -104,11 +104,10 @@ std::optional<html::Markup> run_figure(const RunContext& context, const std::str
 }
 
 std::string frame_text(const RunContext& context, const RunFrame& frame) {
-  if (context.sheared())
-    return fmt::format("shear displacement {:.3f} mm, shear stress {:.2f} MPa", frame.abscissa, frame.stress_mpa);
+  const std::string at = render::tick_label(frame.abscissa, 0.001), stress = render::tick_label(frame.stress_mpa, 0.01);
+  if (context.sheared()) return "shear displacement " + at + " mm, shear stress " + stress + " MPa";
   const bool disc = context.config.experiment.type == ExperimentType::brazilian;
-  return fmt::format("{} {:.3f} %, stress {:.2f} MPa", disc ? "closure / diameter" : "axial strain", frame.abscissa,
-                     frame.stress_mpa);
+  return (disc ? "closure / diameter " : "axial strain ") + at + " %, stress " + stress + " MPa";
 }
 
 html::Section pictures_section(const RunContext& context) {

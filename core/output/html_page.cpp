@@ -87,7 +87,8 @@ std::string_view style_sheet() {
 }
 * { box-sizing: border-box; }
 body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 74rem; background: var(--paper); color: var(--ink);
-  font: 1rem/1.55 "Source Sans 3", "Segoe UI", "Helvetica Neue", Arial, "DejaVu Sans", sans-serif; }
+  font: 1rem/1.55 "Source Sans 3", "Segoe UI", "Helvetica Neue", Arial, "DejaVu Sans", sans-serif;
+  overflow-wrap: break-word; }
 h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 .3rem; }
 h2 { font-size: 1.45rem; margin: 3rem 0 .8rem; padding-bottom: .25rem; border-bottom: 2px solid var(--line); }
 h3 { font-size: 1.15rem; margin: 2.2rem 0 .6rem; }
@@ -161,7 +162,7 @@ thead button:hover { border-color: var(--soft); }
 [aria-sort] button::after { content: " \25B2"; font-size: .7em; }
 [aria-sort=descending] button::after { content: " \25BC"; }
 dt { font-weight: 600; margin-top: .9rem; }
-dd { margin: .15rem 0 0 1.5rem; }
+dd { margin: .15rem 0 0 1.5rem; overflow-wrap: anywhere; }
 footer { margin-top: 4rem; padding-top: 1rem; border-top: 1px solid var(--line); color: var(--soft); font-size: .9rem; }
 @media (max-width: 30rem) { .formula { white-space: normal; } }
 @media print {

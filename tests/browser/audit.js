@@ -95,5 +95,6 @@ function overflow() {
     if (right > width + 1) found.push(`${element.tagName}.${element.className} ends at ${right.toFixed(0)} of ${width}: ` +
       `"${element.textContent.trim().slice(0, 40)}"`);
   }
+  if (document.documentElement.scrollWidth > width + 1) found.push(`the page is ${document.documentElement.scrollWidth} wide of ${width}`);
   return found;
 }

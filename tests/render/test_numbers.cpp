@@ -19,6 +19,11 @@ TEST_CASE("Ticks are round, within the range and written with true minus signs")
   CHECK(axis.label == "ε [%]");
 }
 
+TEST_CASE("What rounds to zero has no sign") {
+  CHECK(tick_label(-0.004, 0.01) == "0.00");
+  CHECK(tick_label(-0.006, 0.01) == "−0.01");
+}
+
 TEST_CASE("Awkward numbers lend a power of ten to the label") {
   CHECK(make_axis({0, 4e6}, "Energy [N mm]", 5).label == "Energy [10⁶ N mm]");
   CHECK(make_axis({0, 4e6}, "Energy [N mm]", 5).ticks.back().label == "4");
