@@ -3,20 +3,10 @@
 #include <iostream>
 
 #include "app/campaign_progress.hpp"
+#include "app/installation.hpp"
 #include "app/interruption.hpp"
-#include "core/base/output_error.hpp"
 
 namespace asperity::app {
-namespace {
-
-std::filesystem::path this_executable() {
-  std::error_code error;
-  const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) throw output_error("/proc/self/exe", "cannot be read", error.value());
-  return path;
-}
-
-}  // namespace
 
 std::vector<CampaignOutcome> compute_campaign(const std::string& name, const std::vector<CampaignRun>& runs,
                                               const SlurmConfig& slurm, const CampaignSessionOptions& options) {

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/cli_options.hpp"
 #include "app/commands/commands.hpp"
 
 namespace asperity::app {
@@ -11,9 +12,10 @@ void add_compare(CLI::App& cli, std::function<int()>& action) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = cli.add_subcommand(
       "compare", "Draws failure patterns of 2 to 12 runs side by side at one scale, with a table and a page");
-  CLI::Option* runs = command->add_option("run_dir", options->run_dirs, "Run folders; the first is the reference");
+  CLI::Option* runs =
+      command->add_option("run_dir", options->run_dirs, "Run folders; the first is the reference")->type_name(kFolder);
   CLI::Option* montage =
-      command->add_option("--montage", options->montage, "One run through time instead")->type_name("RUN_DIR");
+      command->add_option("--montage", options->montage, "One run through time instead")->type_name(kFolder);
   montage->excludes(runs);
   command->add_option("--frames", options->frames, "Frames of a montage")
       ->capture_default_str()
@@ -31,9 +33,9 @@ void add_compare(CLI::App& cli, std::function<int()>& action) {
   command->add_option("--field", options->field, "cracks or damage")
       ->capture_default_str()
       ->check(CLI::IsMember({"cracks", "damage"}));
-  command->add_option("--out", options->out,
-                      "Picture (.png); tables go beside it; default outputs/compare_<names>.png");
-  command->add_option("--html", options->html, "Page; default beside the picture")->excludes(montage);
+  command->add_option("--out", options->out, "Picture (.png); tables go beside it; default outputs/compare_<names>.png")
+      ->type_name(kFile);
+  command->add_option("--html", options->html, "Page; default beside the picture")->type_name(kFile)->excludes(montage);
   command->footer(
       "Examples:\n  asperity compare outputs/seed1 outputs/seed2 --align peak --at 0.5 --out outputs/seeds.png\n"
       "  asperity compare --montage outputs/quickstart --frames 6 --field damage");

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "app/cli_options.hpp"
 #include "app/commands/commands.hpp"
 #include "core/config/schema_reference.hpp"
 
@@ -30,6 +31,7 @@ void add_schema(CLI::App& cli, std::function<int()>& action) {
   CLI::App* command =
       cli.add_subcommand("schema", "Prints the JSON Schema of a kind of configuration, or the reference of its keys");
   command->add_option("kind", options->kind, "run, campaign, calibration, confrontation or measured")
+      ->type_name(kSchemaKind)
       ->capture_default_str();
   command->add_flag("--markdown", options->markdown, "The reference of every key, as docs/reference has it");
   command->footer(

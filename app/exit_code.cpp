@@ -14,6 +14,26 @@ void report(const Error& error, std::ostream& err) {
 
 }  // namespace
 
+const std::vector<ExitCodeMeaning>& exit_code_meanings() {
+  static const std::vector<ExitCodeMeaning> meanings{{kExitDone, "done"},
+                                                     {exit_code(ErrorKind::unexpected), "unexpected"},
+                                                     {exit_code(ErrorKind::usage), "usage"},
+                                                     {exit_code(ErrorKind::config), "config or data"},
+                                                     {exit_code(ErrorKind::numerical), "numerical"},
+                                                     {exit_code(ErrorKind::output), "output"},
+                                                     {exit_code(ErrorKind::tolerance), "outside tolerance"},
+                                                     {kExitInterrupted, "interrupted with a checkpoint"}};
+  return meanings;
+}
+
+std::string exit_codes_in_a_line() {
+  std::string line;
+  for (const auto& [code, meaning] : exit_code_meanings()) {
+    line += (line.empty() ? "Exit codes: " : ", ") + std::to_string(code) + " " + meaning;
+  }
+  return line + ".";
+}
+
 int exit_code(ErrorKind kind) { return static_cast<int>(kind); }
 
 int exit_code_of_command_line(int cli11_code) {

@@ -1,5 +1,7 @@
 #pragma once
 #include <iosfwd>
+#include <string>
+#include <vector>
 
 #include "core/base/error.hpp"
 
@@ -7,6 +9,17 @@ namespace asperity {
 
 inline constexpr int kExitDone = 0;
 inline constexpr int kExitInterrupted = 130;  ///< Ctrl-C or SIGTERM; a checkpoint was left.
+
+struct ExitCodeMeaning {
+  int code;
+  std::string meaning;
+};
+
+/// Every exit code, ascending.
+const std::vector<ExitCodeMeaning>& exit_code_meanings();
+
+/// "Exit codes: 0 done, 1 unexpected, ... ."
+std::string exit_codes_in_a_line();
 
 /// Exit code of a kind of failure, 1 to 6.
 int exit_code(ErrorKind kind);

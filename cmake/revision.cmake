@@ -1,6 +1,8 @@
-# Writes the git revision and a dirty flag as two C++ string definitions; falls back on cmake/revision.txt without git.
+# Writes the git revision, a dirty flag and the revision's date as C++ definitions. Without git the revision is that of cmake/revision.txt, and the
+# date today's, or that of SOURCE_DATE_EPOCH.
 execute_process(COMMAND git -C ${SOURCE} rev-parse HEAD OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
 set(dirty "false")
+string(TIMESTAMP date "%Y-%m-%d" UTC)
 if(failed)
   set(revision "unknown")
   if(EXISTS ${SOURCE}/cmake/revision.txt)
@@ -12,8 +14,9 @@ else()
   if(changes)
     set(dirty "true")
   endif()
+  execute_process(COMMAND git -C ${SOURCE} log -1 --format=%cs OUTPUT_VARIABLE date OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 endif()
-set(text "constexpr const char* kRevision = \"${revision}\";\nconstexpr bool kDirty = ${dirty};\n")
+set(text "constexpr const char* kRevision = \"${revision}\";\nconstexpr bool kDirty = ${dirty};\nconstexpr const char* kRevisionDate = \"${date}\";\n")
 set(old "")
 if(EXISTS ${OUTPUT})
   file(READ ${OUTPUT} old)

@@ -9,6 +9,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
+#include "app/installation.hpp"
 #include "app/interruption.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
@@ -178,7 +179,8 @@ int acceleration_command(const AccelerationOptions& options) {
   const std::vector<Way> table = ways(options.reference_rate_factor);
   Json json{{"tolerance", kTolerance}, {"elastic_start_fraction", kElasticFraction}};
   bool all_within = true;
-  for (const std::filesystem::path& file : options.configs) {
+  for (const std::filesystem::path& name : options.configs) {
+    const std::filesystem::path file = shipped(name);
     Outcomes outcomes(table.size());
     for (int seed = 1; seed <= options.seeds; ++seed) {
       for (std::size_t w = 0; w < table.size(); ++w) {

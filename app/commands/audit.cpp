@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/commands/commands.hpp"
+#include "app/installation.hpp"
 #include "app/interruption.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/error.hpp"
@@ -135,6 +136,7 @@ using Outcomes = std::vector<std::vector<std::array<Outcome, 4>>>;  // [row][see
 Outcomes run_all(const std::vector<Row>& table, const AuditOptions& options) {
   Outcomes outcomes(table.size(), std::vector<std::array<Outcome, 4>>(options.seeds));
   const std::vector<Job> jobs = list_jobs(table.size(), options.seeds);
+  const std::filesystem::path configs = shipped(options.configs);
   std::mutex mutex;
   std::size_t done = 0;
   const int workers =
@@ -150,7 +152,7 @@ Outcomes run_all(const std::vector<Row>& table, const AuditOptions& options) {
         overrides.push_back(fmt::format("/measurement/peak_strain_limit={}", table[job.row].strain_limit));
       if (job.test > 0)
         overrides.push_back(fmt::format("/experiment/stop/axial_strain={}", 1.05 * table[job.row].strain_limit));
-      Outcome outcome = run_test(options.configs / (std::string(kTests[job.test]) + ".json"), overrides);
+      Outcome outcome = run_test(configs / (std::string(kTests[job.test]) + ".json"), overrides);
       const std::lock_guard lock(mutex);
       outcomes[job.row][job.seed][job.test] = outcome;
       std::cerr << fmt::format("{:3d} of {}: {}, {}, seed {}: {:.4g} MPa {}\n", ++done, jobs.size(),

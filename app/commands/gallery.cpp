@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
+#include "app/installation.hpp"
 #include "app/interruption.hpp"
 #include "app/result_folder.hpp"
 #include "core/base/log.hpp"
@@ -43,7 +44,9 @@ int gallery_command(const GalleryOptions& options) {
   std::vector<MechanismDeclaration> mechanisms;
   for (const std::string& id : options.mechanisms) mechanisms.push_back(mechanism_or_fault(id));
   if (mechanisms.empty()) mechanisms = declared_mechanisms();
-  Gallery gallery = plan_gallery(options.bases, mechanisms, seeds_of(options.seeds));
+  std::vector<std::filesystem::path> bases;
+  for (const std::filesystem::path& base : options.bases) bases.push_back(shipped(base));
+  Gallery gallery = plan_gallery(bases, mechanisms, seeds_of(options.seeds));
   const std::filesystem::path out = options.out.value_or(default_run_folder("gallery"));
   make_folder(out);
   const std::vector<CampaignOutcome> outcomes = compute_campaign("gallery", all_runs(gallery), {}, options.session);

@@ -1,6 +1,7 @@
 """What the command line tests share. A test is called with: the executable, the source root, a scratch folder."""
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -24,6 +25,11 @@ def command(*arguments):
 def asperity(*arguments):
     """Runs the executable in the scratch folder; stdout, stderr and returncode as subprocess gives them."""
     return subprocess.run(command(*arguments), capture_output=True, text=True, timeout=SECONDS, cwd=SCRATCH, env=environment())
+
+
+def commands():
+    """Every command, as `asperity --help` lists them."""
+    return re.findall(r"(?m)^  ([a-z]+) ", asperity("--help").stdout.split("\nSubcommands:\n")[1].split("\n\n")[0])
 
 
 def settings(**values):

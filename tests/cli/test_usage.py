@@ -5,7 +5,8 @@ import support
 from support import SOURCE, asperity
 
 CONFIG = SOURCE / "configs/quickstart.json"
-COMMANDS = ["run", "resume", "validate", "schema", "derive", "render", "audit", "campaign", "calibrate", "features", "mechanisms", "gallery", "acceleration", "info"]
+COMMANDS = ["run", "resume", "validate", "schema", "derive", "render", "audit", "campaign", "calibrate", "features", "mechanisms", "gallery", "acceleration", "info",
+            "law", "compare", "report", "confront", "bench", "completion", "manual"]
 
 # Closed forms for the paper's plaster: GPa/mm, N/mm and mm as the paper and its audit print them, rounded to four digits.
 DERIVED = {
@@ -29,6 +30,7 @@ class Usage(support.CommandLineTest):
             self.assertRegex(text, rf"(?m)^ +{command} ")
 
     def test_every_commands_help_has_an_example_of_it(self):
+        self.assertEqual(sorted(support.commands()), sorted(COMMANDS))
         for command in COMMANDS:
             with self.subTest(command=command):
                 text = self.succeed(command, "--help").stdout
