@@ -18,9 +18,12 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)  # text in pictures, read as a file
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, slurm-client")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-"A JSON file describes a laboratory test of rock; on a machine without a display Asperity simulates it with bonded triangular
- particles and leaves a time series for ParaView, pictures of cracks and damage, curves, an energy account and the record of where
- every number comes from. It calibrates microparameters, and names what the calibrated model gets wrong in measured tests.")
+"A JSON file describes a laboratory test of rock; on a machine without a
+display Asperity simulates it with bonded triangular particles and leaves a
+time series for ParaView, pictures of cracks and damage, curves, an energy
+account and the record of where every number comes from. It calibrates
+microparameters, and names what the calibrated model gets wrong in measured
+tests.")
 
 # Debian's own changelog; what changed stands in CHANGELOG.md.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
