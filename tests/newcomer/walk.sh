@@ -43,7 +43,7 @@ release_systems() {
 end() {
   code=$?
   release_systems
-  [ "$keep" = yes ] || rm -rf "$builder" "$user"
+  [ "$keep" = yes ] || rm -rf --one-file-system "$builder" "$user"
   exit "$code"
 }
 trap end EXIT
@@ -91,7 +91,7 @@ install_package() {
 
 strength() { sed -n 's/.*"tensile_strength_mpa": *\([0-9.]*\).*/\1/p' "$1" | head -n 1; }
 
-rm -rf "$builder" "$user"
+rm -rf --one-file-system "$builder" "$user"
 : >"$folder/walk.log"
 say "walk of $(git -C "$source" rev-parse --short HEAD), suite $suite, $(nproc) cores"
 step "clean Debian 12" make_system "$builder"
