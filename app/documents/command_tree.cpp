@@ -80,7 +80,7 @@ ArgumentEntry read_argument(const CLI::Option& option) {
   entry.names = names_of(option);
   entry.description = option.get_description();
   if (option.get_expected_min() == 0) return entry;  // a flag
-  const std::string type = option.get_type_name();  // "TEXT:{local,slurm}", "INT:INT in [1 - 1024]", "DIR"
+  const std::string type = option.get_type_name();   // "TEXT:{local,slurm}", "INT:INT in [1 - 1024]", "DIR"
   const std::size_t colon = type.find(':');
   entry.type = type.substr(0, colon);
   entry.limits = colon == std::string::npos ? "" : type.substr(colon + 1);
