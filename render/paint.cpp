@@ -7,6 +7,8 @@
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLState.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -17,6 +19,7 @@
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
+#include <vtk_glew.h>
 
 #include <cmath>
 #include <mutex>
@@ -130,6 +133,7 @@ class Painter {
     window_->SetOffScreenRendering(1);
     window_->SetMultiSamples(kSamples);
     window_->SetDPI(72);
+    window_->SwapBuffersOff();
     context_.release();
   }
 
@@ -144,6 +148,7 @@ class Painter {
     window_->SetSize(drawing.width, drawing.height);
     window_->AddRenderer(renderer);
     window_->Render();
+    resolve(drawing.width, drawing.height);
     Pixels pixels = grab();
     window_->RemoveRenderer(renderer);
     renderer->ReleaseGraphicsResources(window_);
@@ -166,6 +171,18 @@ class Painter {
     camera->SetParallelScale(0.5 * drawing.height);
     camera->SetClippingRange(0.5, 1.5);
     return renderer;
+  }
+
+  /// Colours alone: VTK's own end of a frame would resolve every sample's depth too, half of a picture's time.
+  void resolve(int width, int height) {
+    vtkOpenGLState* state = window_->GetState();
+    state->PushFramebufferBindings();
+    window_->GetRenderFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
+    window_->GetRenderFramebuffer()->ActivateReadBuffer(0);
+    window_->GetDisplayFramebuffer()->Bind(GL_DRAW_FRAMEBUFFER);
+    window_->GetDisplayFramebuffer()->ActivateDrawBuffer(0);
+    state->vtkglBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    state->PopFramebufferBindings();
   }
 
   Pixels grab() {
