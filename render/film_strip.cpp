@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "render/crack_legend.hpp"
+#include "render/range.hpp"
 #include "render/specimen.hpp"
 #include "render/style.hpp"
 #include "render/text_metrics.hpp"
@@ -12,6 +14,8 @@ namespace asperity::render {
 namespace {
 
 constexpr double kMargin = 24, kGap = 20, kCaptionRow = 52, kScaleBarRow = 72;  // pixels
+constexpr double kScaleBarText = 190;                                           // pixels, behind the bar
+constexpr double kKeyUnit = 0.85;
 constexpr double kUnit = 0.75;    // line widths, of the standard picture's
 constexpr double kTallest = 1.6;  // of a panel, of its width
 
@@ -39,6 +43,15 @@ double panel_height(const Frame& frame, double width) {
   return std::ceil((view.specimen_mm.y + 2 * view.platen_mm) * view.pixels_per_mm) + 4;
 }
 
+/// Beside the scale bar.
+void draw_key(Drawing& drawing, const std::vector<StripPanel>& panels, const View& view) {
+  const bool defects =
+      std::any_of(panels.begin(), panels.end(), [](const StripPanel& panel) { return has_defects(panel.frame); });
+  const double bar = round_step(std::max(view.specimen_mm.x, view.specimen_mm.y), 6) * view.pixels_per_mm;
+  const double left = kMargin + bar + kScaleBarText;
+  draw_crack_legend(drawing, defects, {left, view.area.bottom + 36}, drawing.width - kMargin - left, kKeyUnit);
+}
+
 }  // namespace
 
 Drawing draw_film_strip(const std::vector<StripPanel>& panels, Field field, int width) {
@@ -54,6 +67,7 @@ Drawing draw_film_strip(const std::vector<StripPanel>& panels, Field field, int 
   View view = fit_view(panels.front().frame, {kMargin, kMargin, kMargin + panel, bottom});
   view.area.bottom += kCaptionRow;
   draw_scale_bar(drawing, view, 1.0);
+  if (field == Field::cracks) draw_key(drawing, panels, view);
   return drawing;
 }
 

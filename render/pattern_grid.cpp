@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "render/crack_legend.hpp"
 #include "render/side_panel.hpp"
 #include "render/specimen.hpp"
 #include "render/style.hpp"
@@ -21,7 +22,7 @@ constexpr double kNarrowest = 300, kNarrowestPicture = 1100;
 constexpr double kHeadingRow = 40, kLineRow = 32, kHeadingSize = 27, kLineSize = 24;
 constexpr double kRoseRadius = 62, kRoseRow = 150, kWideEnough = 560;
 constexpr double kLegendFoot = 76, kBarFoot = 120, kNoteRow = 44, kFootUnit = 0.85, kScaleBarText = 170,
-                 kColourBar = 620, kSwatch = 70;
+                 kColourBar = 620;
 constexpr double kStandardSpecimen = 950;  // height of a specimen whose lines are as wide as the style says
 
 Text text_at(Vec2 at, const std::string& text, double size, Weight weight = Weight::regular,
@@ -136,24 +137,8 @@ void draw_panel(Drawing& drawing, const PatternPanel& panel, Field field, const 
 }
 
 bool any_defect(const PatternGrid& grid) {
-  return std::any_of(grid.panels.begin(), grid.panels.end(), [](const PatternPanel& panel) {
-    return std::any_of(panel.frame.cracks.begin(), panel.frame.cracks.end(),
-                       [](const CrackSegment& crack) { return crack.mode == CrackMode::defect; });
-  });
-}
-
-void draw_crack_legend(Drawing& drawing, const PatternGrid& grid, Vec2 at) {
-  constexpr std::pair<CrackMode, const char*> kRows[] = {{CrackMode::tension, "Broken in tension"},
-                                                         {CrackMode::shear, "Broken in shear"},
-                                                         {CrackMode::softening, "Softening"},
-                                                         {CrackMode::defect, "Open before the test"}};
-  const double size = kFootUnit * style::kLabelSize;
-  for (const auto& [mode, text] : kRows) {
-    if (mode == CrackMode::defect && !any_defect(grid)) continue;
-    draw_crack_swatch(drawing, mode, at, at + Vec2{kSwatch, 0}, kFootUnit);
-    drawing.shapes.push_back(text_at(at + Vec2{kSwatch + 14, 0.36 * size}, text, size));
-    at.x += kSwatch + 14 + text_width(text, size) + 40;
-  }
+  return std::any_of(grid.panels.begin(), grid.panels.end(),
+                     [](const PatternPanel& panel) { return has_defects(panel.frame); });
 }
 
 double foot_height(const PatternGrid& grid) {
@@ -171,7 +156,8 @@ void draw_foot(Drawing& drawing, const PatternGrid& grid, const Layout& layout, 
     draw_colour_bar(drawing, *colours, {field_range(grid.field, {}), {0, 1}},
                     {left, top, left + kColourBar, top + kBarFoot}, kFootUnit);
   } else {
-    draw_crack_legend(drawing, grid, {left, top + 36 * kFootUnit});
+    draw_crack_legend(drawing, any_defect(grid), {left, top + 36 * kFootUnit}, drawing.width - kMargin - left,
+                      kFootUnit);
   }
   const PatternPanel& first = grid.panels.front();
   if (first.rose.shares.empty()) return;

@@ -110,10 +110,14 @@ void add_peaks(const std::vector<ShownCurve>& runs, const std::string& feature, 
   peaks.mean.push_back(sum / static_cast<double>(values.size()));
 }
 
-void add_model(const Peaks& peaks, const ModelLook& look, render::Chart& chart) {
+void add_band(const Peaks& peaks, const ModelLook& look, render::Chart& chart) {
   if (peaks.stress.empty()) return;
   chart.layers.emplace_back(
       render::BandLayer{look.name + ", between the meshes", peaks.stress, peaks.low, peaks.high, look.fill});
+}
+
+void add_mean(const Peaks& peaks, const ModelLook& look, render::Chart& chart) {
+  if (peaks.stress.empty()) return;
   chart.layers.emplace_back(render::LineLayer{
       look.name + ", mean", peaks.stress, peaks.mean, {look.line, 4, look.dash, render::Cap::butt}, 0});
 }
@@ -148,8 +152,10 @@ std::optional<render::ChartFigure> peaks_figure(std::vector<StressedTest> tests,
     add_measured(*test, feature, stress, test->kept_back ? kept : fitted);
   }
   render::Chart chart = axes;
-  add_model(base, base_look(), chart);
-  add_model(extension, extension_look(), chart);
+  add_band(base, base_look(), chart);
+  add_band(extension, extension_look(), chart);
+  add_mean(base, base_look(), chart);
+  add_mean(extension, extension_look(), chart);
   for (const render::PointLayer& layer : {fitted, kept}) {
     if (!layer.x.empty()) chart.layers.emplace_back(layer);
   }

@@ -4,6 +4,7 @@
 #include "render/film_strip.hpp"
 #include "render/paint.hpp"
 #include "render/style.hpp"
+#include "render/text_metrics.hpp"
 #include "tests/render/picture_file.hpp"
 #include "tests/support/synthetic_frame.hpp"
 
@@ -38,7 +39,9 @@ TEST_CASE("A strip has its panels in a row, each over its caption, and cracks on
   CHECK(drawing.width == 1500);
   CHECK(drawing.height < 900);
   const std::vector<Text> texts = texts_of(drawing);
-  REQUIRE(texts.size() == 4);  // captions and the scale bar's length
+  REQUIRE(texts.size() == 7);  // captions, the scale bar's length, the key
+  CHECK(texts[4].text == "Broken in tension");
+  CHECK(texts[6].at.x + text_width(texts[6].text, texts[6].size) < 1500);
   CHECK(texts[0].text == "first");
   CHECK(texts[2].text == "third, 0.64 mm, 1.90 MPa");
   CHECK(texts[1].at.x == Approx(750));
@@ -48,7 +51,8 @@ TEST_CASE("A strip has its panels in a row, each over its caption, and cracks on
   double leftmost = 1500;
   int cracks = 0;
   for (const Shape& shape : drawing.shapes)
-    if (const Polyline* line = std::get_if<Polyline>(&shape); line && line->stroke.colour == style::kTension) {
+    if (const Polyline* line = std::get_if<Polyline>(&shape);
+        line && line->stroke.colour == style::kTension && line->points.front().y < texts[0].at.y) {
       ++cracks;
       leftmost = std::min(leftmost, right_end(*line));
     }
