@@ -13,6 +13,7 @@ PROGRAMS = ["munged", "munge", "slurmctld", "slurmd", "sbatch", "squeue", "scanc
 HOST = socket.gethostname().split(".")[0]
 SECONDS = 30  # for a daemon to come up or go down; it takes about three
 SYSTEM_PATH = "/usr/sbin:/usr/bin:/sbin:/bin"
+CGROUPS = "CgroupPlugin=cgroup/v1\n"  # named, so that none is looked for: a container may have none mounted
 CONFIGURATION = """
 ClusterName=asperity_test
 SlurmctldHost={host}(127.0.0.1)
@@ -113,6 +114,7 @@ class Cluster:
             (self.root / name).mkdir()
         (self.root / "slurm.conf").write_text(CONFIGURATION.format(
             host=HOST, root=self.root, munge=self.munge, controller_port=free_port(), node_port=free_port()))
+        (self.root / "cgroup.conf").write_text(CGROUPS)
         self.command("slurmctld", "-f", self.root / "slurm.conf")
         self.start_node()
 
