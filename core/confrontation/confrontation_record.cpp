@@ -138,6 +138,12 @@ VerdictContext verdict_context(const ConfrontationConfig& config, const Confront
         "measured file nor the configuration gives one");
   for (const std::string& name : config.idle_parameters)
     context.notes.push_back("parameter " + name + " acts in none of the tests and was left out");
+  for (const HypothesisFit& fit : confrontation.conclusion.kept) {
+    if (!fit.converged)
+      context.notes.push_back("the refit of " + causes_text(confrontation, fit) +
+                              " did not converge in its runs: its amplitude and misfit are those of a linear fit that "
+                              "no run has shown; what counts is its gain on kept-back tests");
+  }
   context.data_sha256 = sha256_hex(data_numbers(config.measured).dump());
   context.frozen_sha256 = sha256_hex(frozen(config, task).dump());
   return context;

@@ -133,7 +133,8 @@ Hypothesis refitted_by_runs(const ConfrontationTask& task, const Confrontation& 
     run_there(task, state, reached + h.jacobian * coded + h.directions * amplitude, h);
     learn(h, coded, amplitude, before.difference - h.difference);
     if (i == 0 || misfit(h) < misfit(best)) best = h;
-    if (misfit(best) - fit_hypothesis(covariance, state.evidence.candidates, best).misfit < kSmallGain) break;
+    best.converged = misfit(best) - fit_hypothesis(covariance, state.evidence.candidates, best).misfit < kSmallGain;
+    if (best.converged) break;
   }
   return best;
 }

@@ -111,6 +111,7 @@ HypothesisFit fit_hypothesis(const MatrixXd& covariance, const std::vector<Candi
   const Index causes = columns.cols();
   HypothesisFit fit;
   fit.causes = h.causes;
+  fit.converged = h.converged;
   fit.amplitude = h.amplitude + change.amplitude;
   fit.misfit = change.misfit;
   fit.residual = frame.unwhiten(frame.project(h.difference) - columns * change.amplitude);

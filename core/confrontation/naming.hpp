@@ -14,6 +14,7 @@ struct Hypothesis {
   Eigen::VectorXd difference;        ///< Data less that model.
   Eigen::MatrixXd jacobian;          ///< By parameter: change of the model a step, there.
   Eigen::MatrixXd directions;        ///< By cause: change of the model a unit of amplitude, there.
+  bool converged = true;             ///< False: a linear fit from there still gains more than runs have shown.
 };
 
 /// A hypothesis with amplitudes and parameters refitted.
@@ -27,6 +28,7 @@ struct HypothesisFit {
   double p_misfit = 0;         ///< Share of draws under this hypothesis that fit no better.
   double excess = 0;           ///< T_k less the least T of all hypotheses.
   double p_excess = 0;         ///< Share of draws under this hypothesis in which it lies as far behind the best.
+  bool converged = true;       ///< As the hypothesis says.
   bool kept = false;           ///< Both shares at or above the level: it may be the cause.
 };
 

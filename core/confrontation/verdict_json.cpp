@@ -37,6 +37,7 @@ ordered_json single_json(const Confrontation& c, const HypothesisFit& fit) {
           {"amplitude_error", number(fit.amplitude_error(0))},
           {"misfit", number(fit.misfit)},
           {"kept", fit.kept},
+          {"converged", fit.converged},
           {"p_misfit", fit.p_misfit},
           {"p_excess", fit.p_excess},
           {"explained", number(c.gate.pattern.explained(k))},
@@ -50,6 +51,7 @@ ordered_json pair_json(const Confrontation& c, const HypothesisFit& fit) {
           {"amplitude_errors", numbers(fit.amplitude_error)},
           {"misfit", number(fit.misfit)},
           {"kept", fit.kept},
+          {"converged", fit.converged},
           {"p_misfit", fit.p_misfit},
           {"p_excess", fit.p_excess}};
 }

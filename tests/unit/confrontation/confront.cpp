@@ -102,12 +102,30 @@ TEST_CASE("a hidden cause is found by runs at calibrated parameters, and its gai
   CHECK(verdict_causes(c) == std::vector<std::string>{"m1"});
   CHECK(c.conclusion.kept.front().amplitude(0) == Approx(0.9).margin(0.15));
   CHECK((c.centre + c.conclusion.kept.front().coded - truth()).cwiseAbs().maxCoeff() < 0.4);
+  CHECK(c.conclusion.kept.front().converged);
   REQUIRE(c.extensions.size() == 1);
   REQUIRE(c.extensions.front().gain.has_value());
   CHECK(c.extensions.front().gain->claimed());
   CHECK(c.extensions.front().gain->rms_after < 0.5 * c.extensions.front().gain->rms_before);
   REQUIRE(!c.decoys.empty());
   CHECK(c.decoys.front().gain->elpd_change < c.extensions.front().gain->elpd_change);
+}
+
+TEST_CASE("a refit whose runs do not follow its linear fit says that it did not converge") {
+  ToySimulator simulator;
+  ConfrontationTask task = task_of(simulator, truth(), {{"m1", 0.9}});
+  RandomStream random(5, "runs that follow nothing");
+  task.features = [&](const std::string& stage, const std::vector<CampaignRun>& runs) {
+    std::vector<RunFeatureValues> all = simulator.features(runs);
+    if (!stage.starts_with("extension")) return all;
+    const VectorXd shift = 30.0 * toy::normals(ToySimulator::kFeatures, 1, random).col(0);
+    for (RunFeatureValues& row : all)
+      for (Index f = 0; f < shift.size(); ++f) *row[static_cast<std::size_t>(f)] += shift(f);
+    return all;
+  };
+  const Confrontation c = confront(std::move(task));
+  REQUIRE(!c.conclusion.singles.empty());
+  for (const HypothesisFit& fit : c.conclusion.singles) CHECK(!fit.converged);
 }
 
 TEST_CASE("about the reference no further run is made for a refit") {
