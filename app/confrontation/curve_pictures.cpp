@@ -132,6 +132,11 @@ void add_measured(const ShownTest& test, const std::string& feature, double stre
   }
 }
 
+/// What of a run stands beside a measured strength, as the comparison reads it: without a curve, its largest stress.
+std::string simulated_feature(const ShownTest& test, const std::string& feature) {
+  return test.measured.empty() && feature == "peak_axial_stress_mpa" ? "largest_axial_stress_mpa" : feature;
+}
+
 /// A test and the stress it is drawn over.
 using StressedTest = std::pair<double, const ShownTest*>;
 
@@ -147,8 +152,9 @@ std::optional<render::ChartFigure> peaks_figure(std::vector<StressedTest> tests,
   render::PointLayer kept{
       "measured, kept back", {}, {}, {render::MarkerShape::open_diamond, render::style::kInk, 11}, {}, {}, {}};
   for (const auto& [stress, test] : tests) {
-    add_peaks(test->base, feature, stress, base);
-    add_peaks(test->extension, feature, stress, extension);
+    const std::string simulated = simulated_feature(*test, feature);
+    add_peaks(test->base, simulated, stress, base);
+    add_peaks(test->extension, simulated, stress, extension);
     add_measured(*test, feature, stress, test->kept_back ? kept : fitted);
   }
   render::Chart chart = axes;
