@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/error.hpp"
+#include "core/confrontation/extension_refit.hpp"
 #include "core/confrontation/extension_runs.hpp"
 
 namespace asperity {
@@ -83,27 +84,12 @@ void simulate_effects(const ConfrontationTask& task, Confrontation& state) {
   compare_fitted(state, task.options);
 }
 
-/// The mean by runs; what amplitudes add to its uncertainty from the change that these runs showed.
-FeaturePrediction prediction_by_runs(const ConfrontationTask& task, const Confrontation& state,
-                                     const HypothesisFit& fit) {
-  constexpr double kSmallAmplitude = 0.05;  // below it a change a unit of amplitude is scatter
-  const VectorXd mean = extension_mean(task, state, fit);
-  Comparison kept_back = state.kept_back;
-  for (std::size_t i = 0; i < fit.causes.size() && fit.amplitude.norm() > kSmallAmplitude; ++i) {
-    const double share = fit.amplitude(static_cast<Index>(i)) / fit.amplitude.squaredNorm();
-    kept_back.fingerprint.col(fit.causes[i]) = share * (mean - model_at(kept_back, fit.coded));
-  }
-  FeaturePrediction prediction = predict_extension(kept_back, state.kept_back_scatter, fit);
-  prediction.mean = mean;
-  return prediction;
-}
-
 ExtensionGain extension_gain(const ConfrontationTask& task, const Confrontation& state, const HypothesisFit& fit) {
   ExtensionGain extension{fit, std::nullopt};
   if (state.kept_back.data.size() == 0) return extension;
   const FeaturePrediction base = predict_base(state.kept_back, state.kept_back_scatter, state.base);
   const FeaturePrediction with = task.linearised_at == LinearisedAt::calibrated
-                                     ? prediction_by_runs(task, state, fit)
+                                     ? predict_by_runs(task, state, fit)
                                      : predict_extension(state.kept_back, state.kept_back_scatter, fit);
   extension.gain = measure_gain(state.kept_back, state.kept_back_scatter, base, with, task.options.draws);
   return extension;

@@ -141,8 +141,8 @@ VerdictContext verdict_context(const ConfrontationConfig& config, const Confront
   for (const HypothesisFit& fit : confrontation.conclusion.kept) {
     if (!fit.converged)
       context.notes.push_back("the refit of " + causes_text(confrontation, fit) +
-                              " did not converge in its runs: its amplitude and misfit are those of a linear fit that "
-                              "no run has shown; what counts is its gain on kept-back tests");
+                              " did not converge: amplitude and misfit are its best run's, and a linear fit from "
+                              "there still promises more; what counts is its gain on kept-back tests");
   }
   context.data_sha256 = sha256_hex(data_numbers(config.measured).dump());
   context.frozen_sha256 = sha256_hex(frozen(config, task).dump());

@@ -1,5 +1,6 @@
 #include "core/confrontation/extension_runs.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -10,155 +11,111 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostRefits = 6;
-constexpr double kLongestStep = 4.0;       // of a parameter, in its own steps
-constexpr double kLongestAmplitude = 0.6;  // of a mechanism, over its declared strong one
-constexpr double kSmallGain = 1.0;         // of the misfit, that another point is not run for
-
-std::vector<MechanismAmplitude> mechanisms_of(const Evidence& evidence, const std::vector<Index>& causes,
-                                              const VectorXd& amplitude) {
+/// Those of the mechanisms that act in this test.
+std::vector<MechanismAmplitude> acting(const ConfrontationTask& task, const Evidence& evidence, std::size_t test,
+                                       const ExtensionPoint& point) {
   std::vector<MechanismAmplitude> mechanisms;
-  for (std::size_t i = 0; i < causes.size(); ++i) {
-    const Candidate& candidate = evidence.candidates[static_cast<std::size_t>(causes[i])];
-    const double a = amplitude_of_run(candidate, amplitude(static_cast<Index>(i)));
-    if (a != 0.0) mechanisms.push_back({candidate.id, a});
+  for (std::size_t i = 0; i < point.causes.size(); ++i) {
+    const auto k = static_cast<std::size_t>(point.causes[i]);
+    const double amplitude = point.amplitude(static_cast<Index>(i));
+    if (amplitude != 0.0 && task.plan.candidate_acts[test][k])
+      mechanisms.push_back({evidence.candidates[k].id, amplitude});
   }
   return mechanisms;
 }
 
-/// Those of the mechanisms that act in this test.
-std::vector<MechanismAmplitude> acting(const ConfrontationTask& task, const Evidence& evidence, std::size_t test,
-                                       const std::vector<MechanismAmplitude>& mechanisms) {
-  std::vector<MechanismAmplitude> kept;
-  for (const MechanismAmplitude& m : mechanisms) {
-    for (std::size_t k = 0; k < evidence.candidates.size(); ++k) {
-      if (evidence.candidates[k].id == m.id && task.plan.candidate_acts[test][k]) kept.push_back(m);
-    }
+/// Mean of the finite ones; `otherwise` where there are fewer than two.
+double finite_mean(const VectorXd& values, double otherwise) {
+  double sum = 0.0, count = 0.0;
+  for (const double v : values) {
+    if (!std::isfinite(v)) continue;
+    sum += v;
+    count += 1.0;
   }
-  return kept;
+  return count >= 2.0 ? sum / count : otherwise;
 }
 
-/// Mean over meshes of the change against the base, slot by slot of the comparison; `otherwise` where it is not known.
+/// One standard error along each axis of the fit's covariance, as a point of a run; towards the other side where an end
+/// of a range cuts it shorter there.
+std::vector<ExtensionPoint> displaced_points(const Evidence& evidence, const ExtensionPoint& at,
+                                             const MatrixXd& covariance) {
+  constexpr double kSmall = 1e-12;
+  const Index parameters = at.coded.size();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(covariance);
+  const auto displaced = [&](const VectorXd& by) {
+    return point_of_run(evidence,
+                        {at.causes, at.coded + by.head(parameters), at.amplitude + by.tail(at.amplitude.size())});
+  };
+  const auto distance = [&](const ExtensionPoint& p) {
+    return (p.coded - at.coded).squaredNorm() + (p.amplitude - at.amplitude).squaredNorm();
+  };
+  std::vector<ExtensionPoint> points;
+  for (Index i = 0; i < covariance.rows(); ++i) {
+    const VectorXd by = std::sqrt(std::max(0.0, axes.eigenvalues()(i))) * axes.eigenvectors().col(i);
+    const ExtensionPoint up = displaced(by), down = displaced(-by);
+    const ExtensionPoint& farther = distance(up) >= distance(down) ? up : down;
+    if (distance(farther) > kSmall) points.push_back(farther);
+  }
+  return points;
+}
+
+}  // namespace
+
+ExtensionPoint point_of_run(const Evidence& evidence, ExtensionPoint point) {
+  for (Index p = 0; p < point.coded.size(); ++p) {
+    const CalibratedParameter& parameter = evidence.parameters[static_cast<std::size_t>(p)];
+    point.coded(p) = std::clamp(point.coded(p), parameter.lower, parameter.upper);
+  }
+  for (std::size_t i = 0; i < point.causes.size(); ++i) {
+    double& a = point.amplitude(static_cast<Index>(i));
+    a = amplitude_of_run(evidence.candidates[static_cast<std::size_t>(point.causes[i])], a);
+  }
+  return point;
+}
+
 VectorXd mean_change(const ConfrontationTask& task, const Confrontation& state, const Comparison& comparison,
-                     const VectorXd& coded, const std::vector<MechanismAmplitude>& mechanisms, const std::string& stage,
+                     const ExtensionPoint& point, std::size_t meshes, const std::string& stage,
                      const VectorXd& otherwise) {
   VectorXd change = otherwise;
   for (const ComparedTest& part : comparison.tests) {
     const auto t = static_cast<std::size_t>(part.test - state.evidence.tests.data());
+    const Index rows = std::min<Index>(static_cast<Index>(meshes), part.test->base.rows());
     std::vector<VirtualSpecimen> specimens;
-    const Index meshes = std::min<Index>(static_cast<Index>(task.common), part.test->base.rows());
-    for (Index row = 0; row < meshes; ++row) {
-      specimens.push_back({t, state.centre + coded, acting(task, state.evidence, t, mechanisms),
+    for (Index row = 0; row < rows; ++row) {
+      specimens.push_back({t, state.centre + point.coded, acting(task, state.evidence, t, point),
                            mesh_seed(task.plan, *part.test, static_cast<std::size_t>(row))});
     }
     const Samples runs = simulate_specimens(*part.test, specimens, stage, task.configure, task.features);
     for (std::size_t i = 0; i < part.columns.size(); ++i) {
-      const VectorXd difference = runs.col(part.columns[i]) - part.test->base.col(part.columns[i]).head(meshes);
-      double sum = 0.0, count = 0.0;
-      for (const double d : difference) {
-        if (!std::isfinite(d)) continue;
-        sum += d;
-        count += 1.0;
-      }
-      if (count >= 2.0) change(part.first + static_cast<Index>(i)) = sum / count;
+      double& mean = change(part.first + static_cast<Index>(i));
+      mean = finite_mean(runs.col(part.columns[i]) - part.test->base.col(part.columns[i]).head(rows), mean);
     }
   }
   return change;
 }
 
-std::string stage_name(const Evidence& evidence, const std::vector<Index>& causes) {
+std::string extension_stage(const Evidence& evidence, const std::vector<Index>& causes) {
   std::string name = "extension";
-  for (const Index c : causes) name += " " + evidence.candidates[static_cast<std::size_t>(c)].id;
+  for (const Index c : causes) {
+    name += name == "extension" ? " " : " + ";
+    name += evidence.candidates[static_cast<std::size_t>(c)].id;
+  }
   return name;
 }
 
-void keep_within(const Evidence& evidence, const std::vector<Index>& causes, VectorXd& coded, VectorXd& amplitude) {
-  for (Index p = 0; p < coded.size(); ++p) {
-    const CalibratedParameter& parameter = evidence.parameters[static_cast<std::size_t>(p)];
-    coded(p) = std::clamp(coded(p), parameter.lower, parameter.upper);
-  }
-  for (std::size_t i = 0; i < causes.size(); ++i) {
-    double& a = amplitude(static_cast<Index>(i));
-    a = amplitude_of_run(evidence.candidates[static_cast<std::size_t>(causes[i])], a);
-  }
-}
-
-/// Towards the linear fit, no farther than effects may still hold; what takes whole numbers goes all the way.
-void step_towards(const HypothesisFit& fit, const Evidence& evidence, Hypothesis& h) {
-  const VectorXd coded = fit.coded - h.coded, amplitude = fit.amplitude - h.amplitude;
-  const auto whole = [&](Index i) {
-    return evidence.candidates[static_cast<std::size_t>(h.causes[static_cast<std::size_t>(i)])].whole;
-  };
-  double share = 1.0;
-  if (coded.size() > 0) share = std::min(share, kLongestStep / std::max(coded.cwiseAbs().maxCoeff(), kLongestStep));
-  for (Index i = 0; i < amplitude.size(); ++i) {
-    if (!whole(i)) share = std::min(share, kLongestAmplitude / std::max(std::abs(amplitude(i)), kLongestAmplitude));
-  }
-  h.coded += share * coded;
-  for (Index i = 0; i < amplitude.size(); ++i) h.amplitude(i) += (whole(i) ? 1.0 : share) * amplitude(i);
-  keep_within(evidence, h.causes, h.coded, h.amplitude);
-}
-
-/// Broyden's update: the effects along the step are what two runs showed.
-void learn(Hypothesis& h, const VectorXd& coded, const VectorXd& amplitude, const VectorXd& change) {
-  const double square = coded.squaredNorm() + amplitude.squaredNorm();
-  if (square <= 0.0) return;
-  const VectorXd missed = change - h.jacobian * coded - h.directions * amplitude;
-  h.jacobian += missed * coded.transpose() / square;
-  h.directions += missed * amplitude.transpose() / square;
-}
-
-/// Runs the extension where the hypothesis stands and takes the difference there.
-void run_there(const ConfrontationTask& task, const Confrontation& state, const VectorXd& otherwise, Hypothesis& h) {
-  const std::vector<MechanismAmplitude> mechanisms = mechanisms_of(state.evidence, h.causes, h.amplitude);
-  const VectorXd change =
-      mean_change(task, state, state.fitted, h.coded, mechanisms, stage_name(state.evidence, h.causes), otherwise);
-  h.difference = state.fitted.data - state.fitted.model - change;
-}
-
-/// Gauss-Newton with Broyden's effects: every point is run, the best one stands.
-Hypothesis refitted_by_runs(const ConfrontationTask& task, const Confrontation& state,
-                            const std::vector<Index>& causes) {
-  const MatrixXd& covariance = state.scatter.covariance;
-  const WhitenedFrame whole(covariance, MatrixXd(covariance.rows(), 0));
-  const auto misfit = [&](const Hypothesis& h) { return whole.whiten(h.difference).squaredNorm(); };
-  Hypothesis h = linear_hypothesis(state.fitted, state.base, causes);
-  Hypothesis best = h;
-  for (int i = 0; i < kMostRefits; ++i) {
-    const Hypothesis before = h;
-    const HypothesisFit fit = fit_hypothesis(covariance, state.evidence.candidates, h);
-    step_towards(fit, state.evidence, h);
-    const VectorXd coded = h.coded - before.coded, amplitude = h.amplitude - before.amplitude;
-    const VectorXd reached = state.fitted.data - state.fitted.model - before.difference;
-    run_there(task, state, reached + h.jacobian * coded + h.directions * amplitude, h);
-    learn(h, coded, amplitude, before.difference - h.difference);
-    if (i == 0 || misfit(h) < misfit(best)) best = h;
-    best.converged = misfit(best) - fit_hypothesis(covariance, state.evidence.candidates, best).misfit < kSmallGain;
-    if (best.converged) break;
-  }
-  return best;
-}
-
-}  // namespace
-
-std::vector<Hypothesis> hypotheses_by_runs(const ConfrontationTask& task, const Confrontation& state,
-                                           const std::vector<std::vector<Index>>& lists) {
-  std::vector<Hypothesis> hypotheses;
-  for (const std::vector<Index>& causes : lists) {
-    hypotheses.push_back(held_within(refitted_by_runs(task, state, causes), state.evidence.parameters,
-                                     state.scatter.covariance, state.evidence.candidates));
-  }
-  return hypotheses;
-}
-
-VectorXd extension_mean(const ConfrontationTask& task, const Confrontation& state, const HypothesisFit& fit) {
-  VectorXd coded = fit.coded, amplitude = fit.amplitude;
-  keep_within(state.evidence, fit.causes, coded, amplitude);
+FeaturePrediction predict_by_runs(const ConfrontationTask& task, const Confrontation& state, const HypothesisFit& fit) {
   const Comparison& kept_back = state.kept_back;
+  const ExtensionPoint at = point_of_run(state.evidence, {fit.causes, fit.coded, fit.amplitude});
+  const std::string stage = extension_stage(state.evidence, fit.causes) + " on kept-back tests";
   const VectorXd linear = predict_extension(kept_back, state.kept_back_scatter, fit).mean - kept_back.model;
-  return kept_back.model + mean_change(task, state, kept_back, coded,
-                                       mechanisms_of(state.evidence, fit.causes, amplitude),
-                                       stage_name(state.evidence, fit.causes) + " on kept-back tests", linear);
+  const VectorXd change = mean_change(task, state, kept_back, at, task.plan.fresh, stage, linear);
+  const VectorXd common = mean_change(task, state, kept_back, at, task.common, stage, change);
+  FeaturePrediction prediction{kept_back.model + change, state.kept_back_scatter.covariance};
+  for (const ExtensionPoint& point : displaced_points(state.evidence, at, fit.covariance)) {
+    const VectorXd moved = mean_change(task, state, kept_back, point, task.common, stage, common) - common;
+    prediction.covariance += moved * moved.transpose();
+  }
+  return prediction;
 }
 
 }  // namespace asperity

@@ -1,15 +1,32 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "core/confrontation/confront.hpp"
 
 namespace asperity {
 
-/// Hypotheses by runs: each extension at the parameters and amplitudes that its linear fit gives, on common meshes.
-std::vector<Hypothesis> hypotheses_by_runs(const ConfrontationTask& task, const Confrontation& state,
-                                           const std::vector<std::vector<Eigen::Index>>& lists);
+/// The calibrated base extended by mechanisms: where it is run.
+struct ExtensionPoint {
+  std::vector<Eigen::Index> causes;  ///< Candidates' numbers.
+  Eigen::VectorXd coded, amplitude;  ///< Parameters in steps about the evidence's centre; one amplitude a cause.
+};
 
-/// Mean of the kept-back slots under an extension, by runs on the base's fresh meshes.
-Eigen::VectorXd extension_mean(const ConfrontationTask& task, const Confrontation& state, const HypothesisFit& fit);
+/// The point within the candidates' and parameters' ranges, its amplitudes such as a run can have.
+ExtensionPoint point_of_run(const Evidence& evidence, ExtensionPoint point);
+
+/// Mean change of the compared slots against the base over the first `meshes` of each test's; `otherwise` where fewer
+/// than two meshes give a value.
+Eigen::VectorXd mean_change(const ConfrontationTask& task, const Confrontation& state, const Comparison& comparison,
+                            const ExtensionPoint& point, std::size_t meshes, const std::string& stage,
+                            const Eigen::VectorXd& otherwise);
+
+/// "extension a + b"
+std::string extension_stage(const Evidence& evidence, const std::vector<Eigen::Index>& causes);
+
+/// The kept-back slots under an extension by runs, its mean on all of the base's fresh meshes. What is not known of
+/// parameters and amplitudes adds the changes that one standard error along each axis of their covariance makes, by
+/// runs on common meshes.
+FeaturePrediction predict_by_runs(const ConfrontationTask& task, const Confrontation& state, const HypothesisFit& fit);
 
 }  // namespace asperity

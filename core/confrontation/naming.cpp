@@ -87,6 +87,14 @@ void judge_one(const Comparison& comparison, const Scatter& scatter, const BaseF
   fit.kept = fit.p_misfit >= options.level && fit.p_excess >= options.level;
 }
 
+void move_to_linear_fit(const WhitenedFrame& frame, const AmplitudeFit& change, const Hypothesis& h,
+                        HypothesisFit& fit) {
+  fit.amplitude += change.amplitude;
+  fit.misfit = change.misfit;
+  fit.residual = frame.unwhiten(frame.project(h.difference) - frame.project(h.directions) * change.amplitude);
+  fit.coded += frame.solve(h.jacobian, h.difference - h.directions * change.amplitude);
+}
+
 /// Largest part that any other candidate explains beyond the first.
 SecondCause strongest(const Comparison& comparison, const WhitenedFrame& frame, const VectorXd& difference,
                       const std::vector<Candidate>& candidates, const Hypothesis& first) {
@@ -106,18 +114,16 @@ SecondCause strongest(const Comparison& comparison, const WhitenedFrame& frame, 
 HypothesisFit fit_hypothesis(const MatrixXd& covariance, const std::vector<Candidate>& candidates,
                              const Hypothesis& h) {
   const WhitenedFrame frame(covariance, h.jacobian);
-  const AmplitudeFit change = refit(frame, h.difference, h, range_of(candidates, h));
-  const MatrixXd columns = frame.project(h.directions);
-  const Index causes = columns.cols();
   HypothesisFit fit;
   fit.causes = h.causes;
   fit.converged = h.converged;
-  fit.amplitude = h.amplitude + change.amplitude;
-  fit.misfit = change.misfit;
-  fit.residual = frame.unwhiten(frame.project(h.difference) - columns * change.amplitude);
-  fit.coded = h.coded + frame.solve(h.jacobian, h.difference - h.directions * change.amplitude);
+  fit.amplitude = h.amplitude;
+  fit.coded = h.coded;
+  fit.residual = h.difference;
+  fit.misfit = WhitenedFrame(covariance, MatrixXd(covariance.rows(), 0)).whiten(h.difference).squaredNorm();
+  if (!h.by_runs) move_to_linear_fit(frame, refit(frame, h.difference, h, range_of(candidates, h)), h, fit);
   fit.covariance = frame.information_inverse(beside(h.jacobian, h.directions));
-  fit.amplitude_error = fit.covariance.diagonal().tail(causes).array().sqrt();
+  fit.amplitude_error = fit.covariance.diagonal().tail(fit.amplitude.size()).array().sqrt();
   return fit;
 }
 

@@ -14,6 +14,7 @@ struct Hypothesis {
   Eigen::VectorXd difference;        ///< Data less that model.
   Eigen::MatrixXd jacobian;          ///< By parameter: change of the model a step, there.
   Eigen::MatrixXd directions;        ///< By cause: change of the model a unit of amplitude, there.
+  bool by_runs = false;              ///< It was run where it fits best: a refit of the data stays there.
   bool converged = true;             ///< False: a linear fit from there still gains more than runs have shown.
 };
 

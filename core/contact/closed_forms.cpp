@@ -171,6 +171,7 @@ LawParameters law_parameters(const RunConfig& config) {
   p.tan_phi_peak = x.peak_friction_angle_deg ? std::tan(*x.peak_friction_angle_deg * units::kRadPerDeg) : p.tan_phi;
   p.coulomb = c.law.shear_peak == ShearPeak::coulomb ? p.tan_phi_peak : 0.0;
   p.envelope_exponent = x.envelope_exponent;
+  p.friction_share = p.tan_phi_peak > 0.0 ? p.tan_phi / p.tan_phi_peak : 1.0;
   p.closure_share = 1.0 - x.closure_stiffness_ratio;
   if (x.closure_length_mm > 0.0) p.closure_length = x.closure_length_mm;
   p.opening_shear = c.law.opening_shear_stiffness == OpeningShearStiffness::k_s ? p.k_s / p.k_t : 1.0;

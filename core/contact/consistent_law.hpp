@@ -36,12 +36,22 @@ inline double closing_energy(double normal, const LawParameters& p) {
   return p.k_t * (0.5 * closing * closing - spared);
 }
 
-/// Shear strength of the intact share at a pressure (MPa): straight, or a power that never falls below the friction of
-/// the broken share; Eq. (D10).
+/// (1 + p tan(phi) / (n c_c))^n of Eq. (D10).
+inline double bent_envelope(double pressure, const LawParameters& p) {
+  const double bend = p.tan_phi_peak / (p.envelope_exponent * p.c_c);
+  return power(1.0 + pressure * bend, p.envelope_exponent);
+}
+
+/// Shear strength of the intact share at a pressure (MPa): straight, or a power; Eq. (D10).
 inline double shear_strength(double pressure, const LawParameters& p) {
   if (p.envelope_exponent == 1.0) return p.c_c + pressure * p.tan_phi_peak;
-  const double bend = p.tan_phi_peak / (p.envelope_exponent * p.c_c);
-  return std::max(p.c_c * power(1.0 + pressure * bend, p.envelope_exponent), pressure * p.tan_phi);
+  return p.c_c * bent_envelope(pressure, p);
+}
+
+/// What friction of the broken share holds at a pressure (MPa), Eqs. (D7), (D10): straight, or as bent as the strength.
+inline double friction_limit(double share, double pressure, const LawParameters& p) {
+  if (p.envelope_exponent == 1.0) return share * pressure * p.tan_phi;
+  return share * (p.c_c * (bent_envelope(pressure, p) - 1.0) * p.friction_share);
 }
 
 /// D at kappa; the softening range goes from delta_ut / delta_ct - 1 in pure tension to that of shear, whose slip does
@@ -79,7 +89,7 @@ inline void slide_broken_share(PointState& s, double shear, double pressure, con
   if (share <= 0.0) return;
   const double stiffness = share * p.k_s;
   const double trial = s.friction + stiffness * (shear - s.shear);
-  const double limit = share * pressure * p.tan_phi;
+  const double limit = friction_limit(share, pressure, p);
   const double after = std::clamp(trial, -limit, limit);
   s.friction_energy += path_work(s.friction, after, (trial - after) / stiffness);
   s.friction = after;
@@ -114,7 +124,7 @@ struct IntactShear {
   double stress_before;  ///< Its effective stress before the step, MPa.
 };
 
-/// Damage of both modes at the present opening and hardening, Eqs. (D4)-(D6), (D8); `limit` is p tan(phi_c), MPa.
+/// Damage of both modes at the present opening and hardening, Eqs. (D4)-(D6), (D8); `limit` is that of friction, MPa.
 inline void damage_contact(PointState& s, double normal, double shear, const IntactShear& intact, double limit,
                            const LawParameters& p) {
   const double opening = std::max(0.0, normal);
@@ -148,7 +158,7 @@ inline void update(PointState& s, double normal, double shear, const LawParamete
     IntactShear intact{shear_strength(pressure, p), 1.0, p.k_s * (s.shear - s.slip)};
     const double traction_before = s.integrity_s * intact.stress_before;
     const double slipped = slip_intact_share(s, shear, intact.strength, p, intact.secant);
-    damage_contact(s, normal, shear, intact, pressure * p.tan_phi, p);
+    damage_contact(s, normal, shear, intact, friction_limit(1.0, pressure, p), p);
     s.fracture_energy += path_work(traction_before, s.integrity_s * p.k_s * (shear - s.slip), slipped);
   }
   s.normal = normal;

@@ -212,9 +212,14 @@ GeneralContactLaw general_contact_law(const RunConfig& config, const LawParamete
     const double k_n = s.normal_stiffness_mpa_per_mm.value_or(law.k_t);
     return {tan_phi, k_n, s.shear_stiffness_mpa_per_mm.value_or(law.k_s), wear};
   };
+  const auto bent = [&](SurfaceLaw s) {
+    s.exponent = law.envelope_exponent;
+    s.bend = law.tan_phi_peak / (law.envelope_exponent * law.c_c);
+    return s;
+  };
   const GeneralContactConfig& general = config.contacts.general;
   const std::array surfaces{surface(general.outline, config.extensions.outline_wear),
-                            surface(general.fracture, config.extensions.fracture_wear)};
+                            bent(surface(general.fracture, config.extensions.fracture_wear))};
   return {general.enabled, surfaces, general.damping_ratio};
 }
 

@@ -20,6 +20,8 @@ struct SurfaceLaw {
   double tan_phi = 0;
   double k_n = 0, k_s = 0;  ///< Normal and tangential penalty, MPa/mm.
   FrictionWear wear = {};   ///< Of tan_phi, Eqs. (C55), (C56).
+  double exponent = 1;      ///< Of friction over pressure, Eq. (C58); 1: Coulomb.
+  double bend = 0;          ///< tan(phi) / (n c_c) of the same, 1/MPa.
 };
 
 struct GeneralContactLaw {

@@ -20,7 +20,8 @@ struct LawParameters {
   double inverse_delta_ct = 0;        ///< 1 / delta_ct, 1/mm.
   double coulomb = 0;       ///< Literal law: tan(phi_c) where Eq 6's peak is c_c + sigma_n tan(phi_c), else 0.
   double tan_phi_peak = 0;  ///< Of the intact share's strength, at least tan(phi_c), which it is in the base model.
-  double envelope_exponent = 1;  ///< Of that strength over the pressure, Eq. (D10); 1: straight.
+  double envelope_exponent = 1;  ///< Of that strength and of friction over the pressure, Eq. (D10); 1: straight.
+  double friction_share = 1;     ///< tan(phi_c) / tan_phi_peak, where the envelope bends.
   double closure_share = 0;      ///< 1 - k_0 / k_t of normal closing, Eq. (D11); 0: linear.
   double closure_length = 1;     ///< Of the same, mm.
   double opening_shear = 1;      ///< Literal law: factor on Eq 3's shear component, 1 (k_t) or k_s / k_t.

@@ -48,7 +48,7 @@ struct Law {
   Real tan_phi, tan_phi_peak, range, shear_range;
   // Of the varied kernel alone: Eqs. (D10), (D11).
   bool bends, closes;
-  Real exponent, closure_share, closure_length;
+  Real exponent, friction_share, closure_share, closure_length;
   explicit Law(const LawParameters& p)
       : k_t(set(p.k_t)),
         k_s(set(p.k_s)),
@@ -65,6 +65,7 @@ struct Law {
         bends(p.envelope_exponent != 1.0),
         closes(p.closure_share != 0.0),
         exponent(set(p.envelope_exponent)),
+        friction_share(set(p.friction_share)),
         closure_share(set(p.closure_share)),
         closure_length(set(p.closure_length)) {}
 };
@@ -90,9 +91,9 @@ HWY_INLINE Real pressure_at(Real normal, const Law& p) {
 }
 
 /// Pressure, shear strength S of the intact share under it, and e S, the factor of the normalised curve; Eqs. (D2),
-/// (D10), (D11).
+/// (D10), (D11). `friction` is what the broken share holds where the envelope bends.
 struct Pressed {
-  Real pressure, strength, curve;
+  Real pressure, strength, curve, friction;
 };
 
 template <Contacts kKind>
@@ -100,10 +101,16 @@ HWY_INLINE Pressed press(Real normal, const Strengths& s, const Law& p) {
   const Real pressure = pressure_at<kKind>(normal, p);
   if (kKind == Contacts::varied && p.bends) {
     const Real bent = power(Add(set(1.0), Mul(pressure, s.bend)), p.exponent);
-    const Real strength = Max(Mul(s.c_c, bent), Mul(pressure, p.tan_phi));
-    return {pressure, strength, Mul(set(consistent_law::kE), strength)};
+    const Real strength = Mul(s.c_c, bent), friction = Mul(Mul(s.c_c, Sub(bent, set(1.0))), p.friction_share);
+    return {pressure, strength, Mul(set(consistent_law::kE), strength), friction};
   }
-  return {pressure, Add(s.c_c, Mul(pressure, p.tan_phi_peak)), Add(s.cohesion, Mul(pressure, p.slope))};
+  return {pressure, Add(s.c_c, Mul(pressure, p.tan_phi_peak)), Add(s.cohesion, Mul(pressure, p.slope)), Zero(kDoubles)};
+}
+
+/// friction_limit() of the scalar law.
+HWY_INLINE Real friction_limit(Real share, const Pressed& now, const Law& p) {
+  if (p.bends) return Mul(share, now.friction);
+  return Mul(Mul(share, now.pressure), p.tan_phi);
 }
 
 /// S of Eqs. (D5), (D6) with (1 - D) for `intact`.
@@ -139,14 +146,14 @@ struct Outcome {
 };
 
 /// Eq. (D7).
-HWY_INLINE void slide_broken_share(State& s, Real shear, Real pressure, const Law& p, Outcome& out) {
+HWY_INLINE void slide_broken_share(State& s, Real shear, const Pressed& now, const Law& p, Outcome& out) {
   const Real share = Sub(set(1.0), s.integrity_s);
   const Lanes acts = hn::Gt(share, Zero(kDoubles));
   if (!any(acts)) return;
   out.rubs = true;
   const Real stiffness = Mul(share, p.k_s);
   const Real trial = Add(s.friction, Mul(stiffness, Sub(shear, s.shear)));
-  const Real after = clamp(trial, Mul(Mul(share, pressure), p.tan_phi));
+  const Real after = clamp(trial, friction_limit(share, now, p));
   const Lanes slides = And(acts, hn::Ne(trial, after));
   if (any(slides)) {
     const Real path = IfThenElseZero(slides, hn::Div(Sub(trial, after), stiffness));
@@ -183,7 +190,7 @@ HWY_INLINE Outcome update_points(State& s, Real normal, Real shear, const Presse
   const Real zero = Zero(kDoubles), one = set(1.0);
   const Real pressure = now.pressure;
   Outcome out{{zero, zero}, zero, hn::Lt(zero, zero)};
-  slide_broken_share(s, shear, pressure, p, out);
+  slide_broken_share(s, shear, now, p, out);
 
   // Eqs. (D2), (D3)
   const Real stress_before = Mul(p.k_s, Sub(s.shear, s.slip));
@@ -237,7 +244,8 @@ HWY_INLINE Outcome update_points(State& s, Real normal, Real shear, const Presse
     s.fracture_energy = Add(s.fracture_energy, Mul(p.half_k_t, released));
   }
   s.integrity_n = g_n;
-  hand_over(s, Min(s.integrity_s, g_s), stress_before, stress, Mul(pressure, p.tan_phi), Sub(shear, s.shear), p, out);
+  const Real limit = p.bends ? now.friction : Mul(pressure, p.tan_phi);
+  hand_over(s, Min(s.integrity_s, g_s), stress_before, stress, limit, Sub(shear, s.shear), p, out);
   s.fracture_energy = Add(s.fracture_energy, path_work(traction_before, Mul(s.integrity_s, stress), slipped));
 
   out.traction.n = Sub(Mul(Mul(s.integrity_n, p.k_t), opening), pressure);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/power.hpp"
 #include "core/contact/surface_wear.hpp"
 #include "core/contact/touch_entry.hpp"
 
@@ -79,6 +80,14 @@ EntryMotion old_motion(const TouchContext& c, const Entry& entry, const EdgeFric
   return {dot(motion, f.point.tangent), dot(motion, f.point.normal()), 0.0, 0.0};
 }
 
+/// What friction holds of a force normal to a part of an edge, Eqs. (C47), (C58), N/mm.
+double friction_limit(const SurfaceLaw& law, double normal, double length) {
+  const double straight = law.tan_phi * normal;
+  if (law.exponent == 1.0 || length <= 0.0) return straight;
+  const double bent = law.bend * 2.0 * normal / length;
+  return bent > 0.0 ? straight * (power(1.0 + bent, law.exponent) - 1.0) / (law.exponent * bent) : straight;
+}
+
 /// Force of entry i on its own edge, Eqs. (C43), (C47), (C50).
 Vec2 entry_force(const TouchContext& c, Touch& touch, int i, const Entry& entry, const TouchPoint& point,
                  StepLosses& losses) {
@@ -96,8 +105,8 @@ Vec2 entry_force(const TouchContext& c, Touch& touch, int i, const Entry& entry,
   motion.approach = dot(moved, point.normal());
   const SurfaceLaw law = surface_law(c.general, entry, position_on_edge(own, entry.k, point.s));
   const double length = effective_length(c.general, touch, entry, i);
-  const Rubbing rubbing =
-      rub(f, length, c.general.ledger.incoming(entry.edge()), motion, 0.5 * touch.k_s, law.tan_phi * normal, losses);
+  const Rubbing rubbing = rub(f, length, c.general.ledger.incoming(entry.edge()), motion, 0.5 * touch.k_s,
+                              friction_limit(law, normal, length), losses);
   if (!c.general.wear.empty()) f.wear = wear_of_slip(own_surface(c.general, entry).wear, rubbing.slid, normal, length);
   double pressing = normal;
   if (c.general.law.damping_ratio > 0.0) {

@@ -1,7 +1,9 @@
 #include "core/confrontation/confront.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <set>
 
 #include "core/confrontation/verdict_json.hpp"
 #include "tests/support/toy_laboratory.hpp"
@@ -12,11 +14,15 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// A simulator whose runs are numbers: three tests of eight features that are linear in two parameters and six
+/// How a toy's mechanisms act: by their amplitude; by more than that; or such that parameters lose their effect with
+/// it.
+enum class Toy { linear, curved, bent };
+
+/// A simulator whose runs are numbers: four tests of eight features that are linear in two parameters and six
 /// mechanisms, with a scatter that a mesh has in common between runs.
 class ToySimulator {
  public:
-  explicit ToySimulator(bool curved = false) : curved_(curved) {
+  explicit ToySimulator(Toy kind = Toy::linear) : kind_(kind) {
     RandomStream random(11, "toy simulator");
     jacobian_ = 3.0 * toy::normals(kTests * kFeatures, kParameters, random);
     fingerprint_ = 4.0 * toy::normals(kTests * kFeatures, kMechanisms, random);
@@ -27,7 +33,8 @@ class ToySimulator {
     RandomStream random(s.seed, "mesh of " + std::to_string(s.test));
     VectorXd v = jacobian_.middleRows(first(s.test), kFeatures) * s.coded;
     for (const MechanismAmplitude& m : s.mechanisms) {
-      const double a = curved_ ? m.amplitude * (1.0 + 0.5 * m.amplitude) : m.amplitude;
+      const double a = kind_ == Toy::curved ? m.amplitude * (1.0 + 0.5 * m.amplitude) : m.amplitude;
+      if (kind_ == Toy::bent) v *= 1.0 / (1.0 + m.amplitude);
       v += a * fingerprint_.col(m.id.back() - '0').segment(first(s.test), kFeatures);
     }
     return v + toy::normals(kFeatures, 1, random).col(0);
@@ -58,7 +65,7 @@ class ToySimulator {
 
  private:
   static Index first(std::size_t test) { return static_cast<Index>(test) * kFeatures; }
-  bool curved_;
+  Toy kind_;
   Eigen::MatrixXd jacobian_, fingerprint_;
   std::vector<VirtualSpecimen> specimens_;
   std::size_t runs_ = 0;
@@ -96,7 +103,7 @@ VectorXd truth() { return (VectorXd(2) << 2.6, -1.7).finished(); }
 }  // namespace
 
 TEST_CASE("a hidden cause is found by runs at calibrated parameters, and its gain on a kept-back test is claimed") {
-  ToySimulator simulator(true);
+  ToySimulator simulator(Toy::curved);
   const Confrontation c = confront(task_of(simulator, truth(), {{"m1", 0.9}}));
   REQUIRE(c.conclusion.status == VerdictStatus::named);
   CHECK(verdict_causes(c) == std::vector<std::string>{"m1"});
@@ -126,6 +133,55 @@ TEST_CASE("a refit whose runs do not follow its linear fit says that it did not 
   const Confrontation c = confront(std::move(task));
   REQUIRE(!c.conclusion.singles.empty());
   for (const HypothesisFit& fit : c.conclusion.singles) CHECK(!fit.converged);
+}
+
+TEST_CASE(
+    "a refit keeps only what its own runs show: where they get worse it stays at the base, unlike its linear fit") {
+  ToySimulator simulator;
+  ConfrontationTask task = task_of(simulator, truth(), {{"m1", 0.9}});
+  std::set<std::uint64_t> extended;
+  task.configure = [&](const VirtualSpecimen& s) {
+    RunConfig run = simulator.configure(s);
+    if (!s.mechanisms.empty()) extended.insert(run.particles.seed);
+    return run;
+  };
+  task.features = [&](const std::string& stage, const std::vector<CampaignRun>& runs) {
+    std::vector<RunFeatureValues> all = simulator.features(runs);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (!stage.starts_with("extension m1") || !extended.contains(runs[i].config.particles.seed)) continue;
+      for (int f = 0; f < ToySimulator::kFeatures; ++f) *all[i][static_cast<std::size_t>(f)] += 40.0;
+    }
+    return all;
+  };
+  const Confrontation c = confront(std::move(task));
+  const auto refitted = std::find_if(c.conclusion.singles.begin(), c.conclusion.singles.end(), [&](const auto& fit) {
+    return c.evidence.candidates[static_cast<std::size_t>(fit.causes.front())].id == "m1";
+  });
+  REQUIRE(refitted != c.conclusion.singles.end());
+  CHECK(refitted->amplitude(0) == 0.0);
+  CHECK(!refitted->kept);
+}
+
+TEST_CASE("a cause whose effect changes the parameters' is found far from the base, and reported where it was run") {
+  ToySimulator simulator(Toy::bent);
+  ConfrontationTask task = task_of(simulator, (VectorXd(2) << 5.5, -4.0).finished(), {{"m1", 1.1}});
+  std::vector<VirtualSpecimen> extended;
+  const ConfigureRun configure = task.configure;
+  task.configure = [&](const VirtualSpecimen& s) {
+    if (s.mechanisms.size() == 1 && s.mechanisms.front().id == "m1") extended.push_back(s);
+    return configure(s);
+  };
+  const Confrontation c = confront(std::move(task));
+  REQUIRE(!c.conclusion.kept.empty());
+  const HypothesisFit& fit = c.conclusion.kept.front();
+  CHECK(verdict_causes(c) == std::vector<std::string>{"m1"});
+  CHECK(fit.converged);
+  CHECK(fit.amplitude(0) == Approx(1.1).margin(0.2));
+  CHECK((c.centre + fit.coded - (VectorXd(2) << 5.5, -4.0).finished()).cwiseAbs().maxCoeff() < 0.6);
+  CHECK(std::any_of(extended.begin(), extended.end(), [&](const VirtualSpecimen& s) {
+    return s.test == 0 && s.mechanisms.front().amplitude == fit.amplitude(0) && s.coded == c.centre + fit.coded;
+  }));
+  CHECK(c.extensions.front().gain->rms_after < 0.5 * c.extensions.front().gain->rms_before);
 }
 
 TEST_CASE("about the reference no further run is made for a refit") {

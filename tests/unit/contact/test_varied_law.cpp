@@ -74,15 +74,20 @@ struct Walk {
 
 }  // namespace
 
-TEST_CASE("Eq (D10): strengths by hand, and the friction of the broken share as their floor") {
+TEST_CASE("Eq (D10): strengths by hand, and friction that is the strength without its cohesion") {
   const LawParameters law = square_root_law();
   CHECK(consistent_law::shear_strength(0.0, law) == 2.0);
   CHECK(consistent_law::shear_strength(2.0, law) == Approx(2.0 * std::numbers::sqrt2).epsilon(kRounding));
   CHECK(consistent_law::shear_strength(6.0, law) == Approx(4.0).epsilon(kRounding));
-  CHECK(consistent_law::shear_strength(16.0, law) == 8.0);  // 2 sqrt(9) = 6 is below 16 tan(phi_c)
+  CHECK(consistent_law::shear_strength(16.0, law) == Approx(6.0).epsilon(kRounding));
+  CHECK(consistent_law::friction_limit(1.0, 16.0, law) == Approx(4.0).epsilon(kRounding));
+  CHECK(consistent_law::friction_limit(0.25, 6.0, law) == Approx(0.5).epsilon(kRounding));
+  CHECK(consistent_law::friction_limit(1.0, 0.0, law) == 0.0);
   LawParameters steep = law;
   steep.tan_phi_peak = 1.0;  // S = 2 sqrt(1 + p)
+  steep.friction_share = 0.5;
   CHECK(consistent_law::shear_strength(8.0, steep) == Approx(6.0).epsilon(kRounding));
+  CHECK(consistent_law::friction_limit(1.0, 8.0, steep) == Approx(2.0).epsilon(kRounding));
   const double p = 1e-6;
   CHECK((consistent_law::shear_strength(p, law) - 2.0) / p == Approx(0.5).epsilon(1e-5));  // slope tan(phi_c) at p = 0
 }
@@ -102,7 +107,8 @@ TEST_CASE("Eq (D10): shear peaks at S(p), then falls to friction; a steep straig
     }
     const PointState after = at(normal, 1.001 * critical, law);
     CHECK(after.broken == BreakMode::shear);
-    CHECK(after.traction_s == Approx(pressure * law.tan_phi).epsilon(kManySteps).margin(kManySteps));
+    const double friction = consistent_law::friction_limit(1.0, pressure, law);
+    CHECK(after.traction_s == Approx(friction).epsilon(kManySteps).margin(kManySteps));
   }
   CHECK(consistent_law::shear_strength(3.0, steep) == kLaw.c_c + 3.0 * 1.4);
 }
@@ -117,7 +123,8 @@ TEST_CASE("Eqs (D4), (D10): where shear softens, its slip does not depend on the
     const PointState half = at(normal, critical + 0.5 * slip, law);
     CAPTURE(pressure);
     CHECK(half.damage == Approx(0.5).epsilon(1e-9));
-    CHECK(half.traction_s == Approx(0.5 * peak + 0.5 * pressure * law.tan_phi).epsilon(1e-4));
+    const double friction = consistent_law::friction_limit(1.0, pressure, law);
+    CHECK(half.traction_s == Approx(0.5 * peak + 0.5 * friction).epsilon(1e-4));
     CHECK(at(normal, critical + 0.999 * slip, law).broken == BreakMode::none);
     CHECK(at(normal, critical + 1.001 * slip, law).broken == BreakMode::shear);
   }

@@ -97,7 +97,7 @@ TEST_CASE("a mechanism at its neutral values is the base model to the last bit o
   REQUIRE(base.cracks() > 0);
   using Values = std::map<std::string, double>;
   const std::pair<std::string, Values> neutral[] = {
-      {"curved_envelope", {{"exponent", 1.0}, {"friction_share", 1.0}}},      {"crack_closure", {{"stiffness_ratio", 1.0}}},
+      {"curved_envelope", {{"exponent", 1.0}}},      {"crack_closure", {{"stiffness_ratio", 1.0}}},
       {"coulomb_peak", {{"excess_deg", 0.0}}},       {"weak_plane", {{"strength_ratio", 1.0}}},
       {"weak_skin", {{"strength_ratio", 1.0}}},      {"initial_defects", {{"fraction", 0.0}}},
       {"slip_weakening", {{"residual_share", 1.0}}}, {"rate_strengthening", {{"per_decade", 0.0}}}};

@@ -41,17 +41,19 @@ TEST_CASE("coulomb_peak: a peak at a right angle is refused with its name") {
   }
 }
 
-TEST_CASE("curved_envelope: the exponent of the contact's strength and the friction that is left; 1 is the base law") {
+TEST_CASE(
+    "curved_envelope: the exponent of the contact's strength and of the friction that is left; 1 is the base law") {
   const LawParameters law = law_with("curved_envelope");
   const double p = 5.0, y = 1.0 + p * kBase.tan_phi / (0.6 * kBase.c_c);
-  CHECK(law.tan_phi == Approx(0.3 * kBase.tan_phi).epsilon(1e-14));
-  CHECK(law.tan_phi_peak == Approx(kBase.tan_phi).epsilon(1e-14));
-  CHECK(consistent_law::shear_strength(p, law) ==
-        Approx(std::max(kBase.c_c * std::pow(y, 0.6), 0.3 * p * kBase.tan_phi)).epsilon(1e-14));
+  CHECK(law.tan_phi == kBase.tan_phi);
+  CHECK(law.tan_phi_peak == kBase.tan_phi);
+  CHECK(consistent_law::shear_strength(p, law) == Approx(kBase.c_c * std::pow(y, 0.6)).epsilon(1e-14));
+  CHECK(consistent_law::friction_limit(1.0, p, law) == Approx(kBase.c_c * (std::pow(y, 0.6) - 1.0)).epsilon(1e-13));
   CHECK(consistent_law::shear_strength(p, law) < consistent_law::shear_strength(p, kBase));
-  const LawParameters off = law_with("curved_envelope", {{"exponent", 1.0}, {"friction_share", 1.0}});
+  const LawParameters off = law_with("curved_envelope", {{"exponent", 1.0}});
   CHECK(off.envelope_exponent == 1.0);
-  CHECK(consistent_law::shear_strength(p, off) == Approx(consistent_law::shear_strength(p, kBase)).epsilon(1e-14));
+  CHECK(consistent_law::shear_strength(p, off) == consistent_law::shear_strength(p, kBase));
+  CHECK(consistent_law::friction_limit(0.3, p, off) == consistent_law::friction_limit(0.3, p, kBase));
 }
 
 TEST_CASE("crack_closure: first stiffness and length of closing; a ratio of 1 is the base law") {
