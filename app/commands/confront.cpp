@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <iostream>
-#include <set>
 
 #include "app/commands/commands.hpp"
 #include "app/confrontation/confrontation_report.hpp"
@@ -11,9 +10,9 @@
 #include "core/base/log.hpp"
 #include "core/confrontation/confrontation_task.hpp"
 #include "core/confrontation/feature_source.hpp"
+#include "core/confrontation/golden_runs.hpp"
 #include "core/confrontation/next_tests.hpp"
 #include "core/confrontation/shown_json.hpp"
-#include "core/confrontation/virtual_test.hpp"
 #include "core/output/manifest.hpp"
 #include "core/output/run_folder.hpp"
 
@@ -21,18 +20,6 @@ namespace asperity::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// One run of each kind of test, at the configuration's own parameters: what a bank is known by.
-std::vector<RunConfig> golden_runs(const ConfrontationConfig& config) {
-  std::vector<RunConfig> runs;
-  std::set<ExperimentType> seen;
-  for (const MeasuredTest& test : config.measured.tests) {
-    if (!seen.insert(test.experiment).second) continue;
-    runs.push_back(configured(virtual_test(config, test), config.parameters, reference_theta(config.parameters), {},
-                              config.meshes.first_seed));
-  }
-  return runs;
-}
 
 void print_verdict(const Confrontation& confrontation, const FeatureCost& cost) {
   std::cout << "status " << word(confrontation.conclusion.status);

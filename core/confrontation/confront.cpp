@@ -117,14 +117,22 @@ std::vector<Index> decoy_candidates(const Confrontation& state, const NamingOpti
   return decoys;
 }
 
+/// A candidate's own fit: the one that was judged, or one made now.
+HypothesisFit single_fit(const Confrontation& state, Index cause, const HypothesisMaker& make) {
+  const std::vector<HypothesisFit>& singles = state.conclusion.singles;
+  const auto judged =
+      std::find_if(singles.begin(), singles.end(), [&](const HypothesisFit& f) { return f.causes.front() == cause; });
+  if (judged != singles.end()) return *judged;
+  return fit_hypothesis(state.scatter.covariance, state.evidence.candidates, make({{cause}}).front());
+}
+
 void measure_gains(const ConfrontationTask& task, Confrontation& state, const HypothesisMaker& make) {
   if (state.conclusion.kept.empty()) return;
   state.kept_back = compare(state.evidence, TestUse::hold_out);
   if (state.kept_back.data.size() > 0) state.kept_back_scatter = scatter_of(state.kept_back, task.options.draws.noise);
   for (const HypothesisFit& fit : state.conclusion.kept) state.extensions.push_back(extension_gain(task, state, fit));
   for (const Index k : decoy_candidates(state, task.options)) {
-    const HypothesisFit fit = fit_hypothesis(state.scatter.covariance, state.evidence.candidates, make({{k}}).front());
-    state.decoys.push_back(extension_gain(task, state, fit));
+    state.decoys.push_back(extension_gain(task, state, single_fit(state, k, make)));
   }
 }
 
