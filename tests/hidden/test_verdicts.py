@@ -26,8 +26,10 @@ HIDDEN = {
     "faint": ((("frame_compliance", 0.02),), None),
     "scatter": ((("strength_scatter", 1.0),), None),
     "frame_and_friction": ((("frame_compliance", 1.0), ("platen_friction", 1.0)), None),
-    "cell": ((), "yielding_cell"),
+    "seats_and_frame": ((("seating", 1.0), ("frame_compliance", 0.15)), None),
+    "slip": ((), "slipping_gauge"),
 }
+STRAINS = {"uniaxial": ["peak_strain_from_toe"], "triaxial": ["peak_strain_from_toe"], "brazilian": ["stiffness_n_per_mm2"]}
 
 
 def effects_of(name):
@@ -70,12 +72,26 @@ class Verdicts(unittest.TestCase):
         self.assertTrue(row["detected"])
         self.assertTrue(row["partly"] or row["unexplained"] or row["cannot_tell"], row)
 
-    def test_an_effect_outside_the_library_gets_no_name(self):
-        self.assertTrue(self.rows["cell"]["detected"])
-        self.assertNotEqual(self.rows["cell"]["status"], "named")
+    def test_two_effects_of_which_none_hides_the_other_are_both_named(self):
+        row = self.rows["seats_and_frame"]
+        self.assertEqual((row["status"], row["causes"]), ("two_causes", ["frame_compliance", "seating"]))
 
-    def test_every_kind_of_verdict_occurs(self):
-        self.assertEqual({row["status"] for row in self.rows.values()}, set(STATUSES))
+    def test_an_effect_outside_the_library_gets_no_name(self):
+        self.assertEqual((self.rows["slip"]["status"], self.rows["slip"]["causes"]), ("unexplained", []))
+
+    def test_features_that_cannot_tell_causes_apart_give_a_tie_that_holds_the_truth(self):
+        verdict = self.confront(self.measured("frame"), "strains_alone", [("/features", STRAINS)])
+        self.assertEqual(verdict["status"], "indistinguishable")
+        self.assertIn("frame_compliance", verdict["causes"])
+        self.assertLessEqual(len(verdict["causes"]), scoring.MOST_NAMES)
+
+    def test_every_kind_of_verdict_but_a_tie_occurs(self):
+        self.assertEqual({row["status"] for row in self.rows.values()}, set(STATUSES) - {"indistinguishable"})
+
+    def test_a_claimed_gain_is_on_kept_back_tests_and_none_is_claimed_where_nothing_is_hidden(self):
+        self.assertTrue(self.verdicts["seats"]["gain"]["claimed"])
+        for name in ("null_1", "null_2", "faint", "scatter"):
+            self.assertFalse(self.verdicts[name]["gain"]["claimed"], name)
 
     def test_what_no_result_depends_on_changes_no_byte(self):
         source = self.measured("frame")

@@ -16,7 +16,7 @@ class Confronter:
         """`settings`: pairs of a JSON pointer and a value, laid over the configuration."""
         pairs = [("/measured", str(measured.resolve())), *([("/tests", {})] if suite == "poor" else []), *settings]
         sets = [part for pointer, value in pairs for part in ("--set", f"{pointer}={json.dumps(value)}")]
-        return [str(self.binary), "confront", str(self.config), *sets, "--jobs", str(self.jobs),
+        return [str(self.binary), "confront", str(self.config), *sets, "--no-report", "--jobs", str(self.jobs),
                 "--store", str(self.store), "--out", str(out)]
 
     def verdict(self, measured, out, suite, settings=()):
