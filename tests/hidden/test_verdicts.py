@@ -4,6 +4,8 @@ The draws are fixed and stratified over the kinds of verdict; what is hidden is 
 """
 import copy
 import json
+import random
+import re
 import shutil
 import unittest
 
@@ -135,6 +137,16 @@ class Verdicts(unittest.TestCase):
         verdict = self.confront(path, "too_good")
         self.assertEqual(verdict["status"], "nothing_found")
         self.assertEqual(len(verdict["gate"]["alarms"]), 1, verdict["gate"])
+
+    def test_a_random_twentieth_of_the_bank_is_the_same_when_it_is_computed_again(self):
+        seed = random.SystemRandom().randrange(10**9)
+        result = hidden_support.asperity(
+            *self.confronter.call(self.measured("null_1"), SCRATCH / "checked", PLAN.suite)[1:],
+            "--check-bank", "0.05", "--check-seed", seed)
+        self.assertEqual(result.returncode, 0, f"check seed {seed}: {result.stderr[-2000:]}")
+        checked = int(re.search(r"(\d+) checked", result.stdout).group(1))
+        print(f"check seed {seed}: {checked} runs of the bank computed again", flush=True)
+        self.assertGreater(checked, 20)
 
     def test_a_tie_holds_no_more_names_than_it_says(self):
         for name, row in self.rows.items():
