@@ -11,6 +11,12 @@ namespace {
 
 using html::ColumnKind;
 
+/// Draws never make a sure thing of it.
+std::string percent_right(double probability) {
+  constexpr double kMost = 0.999;
+  return probability > kMost ? "> 99.9" : figures(100.0 * probability);
+}
+
 std::string interval_words(const Value& gain) {
   const std::vector<double> interval = gain["elpd_interval_90"].numbers();
   if (interval.size() != 2) return "–";
@@ -138,7 +144,7 @@ Chapter limits_chapter(const ConfrontationData& data) {
   for (const ShownCandidate& c : data.candidates) {
     const bool hidden = !std::isfinite(c.detectable), weak = !hidden && c.detectable > 1.0;
     table.rows.push_back({{mechanism_name(c.id), figures(c.detectable, 2), parameter_words(c.id, c.detectable, 0.0),
-                           std::isfinite(c.absorbed_share) ? figures(100.0 * c.absorbed_share, 2) : "–",
+                           std::isfinite(c.absorbed_share) ? figures(100.0 * c.absorbed_share) : "–",
                            hidden ? "not visible at any strength"
                            : weak ? "even the declared strong one would go unseen"
                                   : ""},
@@ -159,7 +165,7 @@ Chapter next_chapter(const ConfrontationData& data) {
                    {}};
   for (const Value& n : data.verdict["next_tests"].items())
     table.rows.push_back({{n["id"].text(), n["description"].text(), names(n["separates"]),
-                           figures(n["distance"].number(), 2), figures(100.0 * n["probability_correct"].number(), 3)},
+                           figures(n["distance"].number(), 2), percent_right(n["probability_correct"].number())},
                           html::RowTone::plain});
   if (!table.rows.empty()) chapter.blocks.emplace_back(std::move(table));
   return chapter;

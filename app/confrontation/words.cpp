@@ -55,7 +55,10 @@ std::string feature_words(std::string_view name) {
 }
 
 std::string figures(double value, int digits) {
-  return std::isfinite(value) ? with_true_minus(fmt::format("{:.{}g}", value, digits)) : "–";
+  constexpr double kLongestWhole = 1e5;
+  if (!std::isfinite(value)) return "–";
+  const bool whole = std::abs(value) >= std::pow(10.0, digits) - 0.5 && std::abs(value) < kLongestWhole;
+  return with_true_minus(whole ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits));
 }
 
 std::string figures_with_error(double value, double error) {

@@ -9,7 +9,8 @@ namespace asperity::app {
 /// "peak_axial_stress_mpa": "peak axial stress"; the unit is told apart.
 std::string feature_words(std::string_view name);
 
-/// So many significant digits with a true minus sign and "×10⁻⁷"; "–" where it is not finite.
+/// So many significant digits with a true minus sign and "×10⁻⁷", at least the whole number up to 99,999; "–" where it
+/// is not finite.
 std::string figures(double value, int digits = 3);
 
 /// "1.33 ± 0.02": the error in two digits, the value to the same decimal; the value alone without one.

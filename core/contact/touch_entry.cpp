@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/power.hpp"
 #include "core/contact/surface_wear.hpp"
 
 namespace asperity {
@@ -50,6 +51,13 @@ SurfaceLaw surface_law(const GeneralContacts& general, const Entry& entry, Vec2 
   if (own.surface[entry.k] != other.surface[facing]) return together(law, other_law);
   law.tan_phi = std::min(law.tan_phi, other_law.tan_phi);
   return law;
+}
+
+double friction_limit(const SurfaceLaw& law, double normal, double length) {
+  const double straight = law.tan_phi * normal;
+  if (law.exponent == 1.0 || length <= 0.0) return straight;
+  const double bent = law.bend * 2.0 * normal / length;
+  return bent > 0.0 ? straight * (power(1.0 + bent, law.exponent) - 1.0) / (law.exponent * bent) : straight;
 }
 
 void fix_penalties(const GeneralContacts& general, Touch& touch) {

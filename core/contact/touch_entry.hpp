@@ -36,6 +36,10 @@ inline bool is_exposed(const GeneralContacts& general, const Entry& entry) {
   return general.members[entry.own].surface[entry.k] >= 0;
 }
 
+/// What friction holds of the force (N/mm) that presses one of two edges over a contact length (mm), N/mm: Coulomb's,
+/// or as bent as the strength of what broke; Eqs. (C47), (C58).
+double friction_limit(const SurfaceLaw& law, double normal, double length);
+
 /// Penalties of a new touch: those of its deepest exposed entry.
 void fix_penalties(const GeneralContacts& general, Touch& touch);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/power.hpp"
 #include "core/contact/surface_wear.hpp"
 #include "core/contact/touch_entry.hpp"
 
@@ -78,14 +77,6 @@ EntryMotion old_motion(const TouchContext& c, const Entry& entry, const EdgeFric
   if (f.length == 0.0) return {};
   const Vec2 motion = relative_motion(c, entry, f.point);
   return {dot(motion, f.point.tangent), dot(motion, f.point.normal()), 0.0, 0.0};
-}
-
-/// What friction holds of a force normal to a part of an edge, Eqs. (C47), (C58), N/mm.
-double friction_limit(const SurfaceLaw& law, double normal, double length) {
-  const double straight = law.tan_phi * normal;
-  if (law.exponent == 1.0 || length <= 0.0) return straight;
-  const double bent = law.bend * 2.0 * normal / length;
-  return bent > 0.0 ? straight * (power(1.0 + bent, law.exponent) - 1.0) / (law.exponent * bent) : straight;
 }
 
 /// Force of entry i on its own edge, Eqs. (C43), (C47), (C50).

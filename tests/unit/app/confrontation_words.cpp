@@ -27,6 +27,10 @@ TEST_CASE("numbers have true minus signs, raised exponents and as many decimals 
   CHECK(figures(-0.01234) == "−0.0123");
   CHECK(figures(6.2e-7, 2) == "6.2×10⁻⁷");
   CHECK(figures(NAN) == "–");
+  CHECK(figures(99.7, 2) == "100");
+  CHECK(figures(-4366.2, 2) == "−4366");
+  CHECK(figures(99.4, 2) == "99");
+  CHECK(figures(2.5e7, 2) == "2.5×10⁷");
   CHECK(figures_with_error(1.3271, 0.0219) == "1.327 ± 0.022");
   CHECK(figures_with_error(-24.31, 1.86) == "−24.3 ± 1.9");
   CHECK(figures_with_error(243.0, 21.0) == "243 ± 21");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/confrontation/extension_runs.hpp"
 #include "core/confrontation/verdict_json.hpp"
 #include "tests/support/toy_laboratory.hpp"
 
@@ -182,6 +183,20 @@ TEST_CASE("a cause whose effect changes the parameters' is found far from the ba
     return s.test == 0 && s.mechanisms.front().amplitude == fit.amplitude(0) && s.coded == c.centre + fit.coded;
   }));
   CHECK(c.extensions.front().gain->rms_after < 0.5 * c.extensions.front().gain->rms_before);
+}
+
+TEST_CASE("kept-back tests by runs: in a linear world mean and covariance are those of the linear effects") {
+  ToySimulator simulator;
+  ConfrontationTask task = task_of(simulator, truth(), {{"m1", 0.9}});
+  task.linearised_at = LinearisedAt::reference;  // which simulates the kept-back tests' linear effects, too
+  const Confrontation c = confront(task);
+  REQUIRE(!c.conclusion.kept.empty());
+  const HypothesisFit& fit = c.conclusion.kept.front();
+  const FeaturePrediction runs = predict_by_runs(task, c, fit);
+  const FeaturePrediction linear = predict_extension(c.kept_back, c.kept_back_scatter, fit);
+  CHECK((runs.mean - linear.mean).cwiseAbs().maxCoeff() < 1e-9);
+  CHECK((runs.covariance - linear.covariance).norm() < 1e-6 * linear.covariance.norm());
+  CHECK((runs.covariance - c.kept_back_scatter.covariance).norm() > 0.01 * linear.covariance.norm());
 }
 
 TEST_CASE("about the reference no further run is made for a refit") {

@@ -8,7 +8,9 @@
 #include "core/contact/closed_forms.hpp"
 #include "core/contact/cohesive_frictional_law.hpp"
 #include "core/contact/consistent_law.hpp"
+#include "core/contact/general_contact.hpp"
 #include "core/contact/literal_law.hpp"
+#include "core/contact/touch_entry.hpp"
 
 using namespace asperity;
 
@@ -90,6 +92,23 @@ TEST_CASE("Eq (D10): strengths by hand, and friction that is the strength withou
   CHECK(consistent_law::friction_limit(1.0, 8.0, steep) == Approx(2.0).epsilon(kRounding));
   const double p = 1e-6;
   CHECK((consistent_law::shear_strength(p, law) - 2.0) / p == Approx(0.5).epsilon(1e-5));  // slope tan(phi_c) at p = 0
+}
+
+TEST_CASE(
+    "Eq (C58): friction of fresh fracture by hand, straight without stress, and as the bonded law's; a joint's is "
+    "Coulomb's") {
+  const LawParameters law = square_root_law();
+  const GeneralContactLaw general = general_contact_law(RunConfig{}, law);
+  const SurfaceLaw &outline = general.surfaces[static_cast<int>(SurfaceKind::outline)],
+                   &fracture = general.surfaces[static_cast<int>(SurfaceKind::fracture)];
+  CHECK(friction_limit(fracture, 3.0, 1.0) == Approx(1.0).epsilon(kRounding));   // 6 MPa: half of 2 sqrt(1 + 3) - 2
+  CHECK(friction_limit(fracture, 16.0, 2.0) == Approx(4.0).epsilon(kRounding));  // 16 MPa over 2 mm: half of 2 x 4
+  CHECK(friction_limit(fracture, 1e-6, 1.0) == Approx(0.5e-6).epsilon(1e-5));
+  CHECK(friction_limit(fracture, 0.0, 1.0) == 0.0);
+  for (const double stress : {0.3, 2.0, 30.0})
+    CHECK(2.0 * friction_limit(fracture, 0.5 * stress, 1.0) ==
+          Approx(consistent_law::friction_limit(1.0, stress, law)).epsilon(1e-9));
+  CHECK(friction_limit(outline, 3.0, 1.0) == outline.tan_phi * 3.0);
 }
 
 TEST_CASE("Eq (D10): shear peaks at S(p), then falls to friction; a steep straight peak does so too") {
