@@ -141,21 +141,33 @@ std::string tests_words(const ConfrontationData& data, bool kept_back) {
   return ids.empty() ? "none" : joined(ids);
 }
 
+/// A parameter's value in the extension; empty where it is not refitted.
+std::string extended_value(const Value& extended, const std::string& name) {
+  for (const Value& p : extended.items()) {
+    if (p["name"].text() == name) return figures_with_error(p["value"].number(), p["error"].number());
+  }
+  return {};
+}
+
 void add_parameters(const ConfrontationData& data, Chapter& chapter) {
-  PlainTable table{"Microparameters of the base after calibration on the fitted tests.",
-                   {{"Parameter", "", ColumnKind::head},
-                    {"Value", "", ColumnKind::text},
-                    {"Unit", "", ColumnKind::text},
-                    {"Remark", "", ColumnKind::prose}},
+  const Value extended = data.verdict["extended_parameters"];
+  const bool refitted = extended.count() > 0;
+  PlainTable table{"Microparameters after calibration on the fitted tests.",
+                   {{"Parameter", "", ColumnKind::head}, {refitted ? "Base" : "Value", "", ColumnKind::text}},
                    {}};
+  if (refitted) table.columns.push_back({"With " + causes_words(data.verdict["gain"]["causes"]), "", ColumnKind::text});
+  table.columns.push_back({"Unit", "", ColumnKind::text});
+  table.columns.push_back({"Remark", "", ColumnKind::prose});
   for (const Value& p : data.verdict["parameters"].items()) {
     const double error = p["error"].number();
     std::string remark = error > 0.0 ? "" : "not calibrated";
     if (!p["determined"].truth()) remark = "these tests do not determine it: left at its reference";
     if (p["at_limit"].truth()) remark = "at the end of what was allowed";
     const std::string label = p["label"].text().empty() ? p["name"].text() : p["label"].text();
-    table.rows.push_back({{label, figures_with_error(p["value"].number(), error), p["unit"].text(), remark},
-                          p["at_limit"].truth() ? html::RowTone::bad : html::RowTone::plain});
+    std::vector<std::string> cells{label, figures_with_error(p["value"].number(), error)};
+    if (refitted) cells.push_back(extended_value(extended, p["name"].text()));
+    cells.insert(cells.end(), {p["unit"].text(), remark});
+    table.rows.push_back({std::move(cells), p["at_limit"].truth() ? html::RowTone::bad : html::RowTone::plain});
   }
   if (!table.rows.empty()) chapter.blocks.emplace_back(std::move(table));
 }

@@ -110,28 +110,58 @@ ordered_json data_numbers(const MeasuredData& data) {
   return json;
 }
 
-}  // namespace
-
-VerdictContext verdict_context(const ConfrontationConfig& config, const ConfrontationTask& task,
-                               const Confrontation& confrontation) {
-  VerdictContext context;
-  const VectorXd coded = confrontation.centre + confrontation.base.coded;
-  const std::vector<double> theta = theta_at(config, coded);
+/// All of the file's parameters in their own units; `error` is of the calibrated ones, in steps.
+std::vector<ParameterValue> parameter_values(const ConfrontationConfig& config, const std::vector<double>& theta,
+                                             const VectorXd& error) {
+  std::vector<ParameterValue> values;
   Index c = 0;
   for (std::size_t p = 0; p < theta.size(); ++p) {
     const ConfrontationParameter& parameter = config.parameters[p];
     ParameterValue value{parameter.name, parameter.label, parameter.unit};
     value.value = value_of(parameter.transform, theta[p]);
     if (parameter.calibrated) {
-      const double step = parameter.step * confrontation.base.error(c);
+      const double step = parameter.step * error(c++);
       value.error = 0.5 * std::abs(value_of(parameter.transform, theta[p] + step) -
                                    value_of(parameter.transform, theta[p] - step));
-      value.determined = confrontation.base.determined[static_cast<std::size_t>(c)];
-      value.limited = confrontation.base.limited[static_cast<std::size_t>(c)];
-      ++c;
     }
-    context.parameters.push_back(std::move(value));
+    values.push_back(std::move(value));
   }
+  return values;
+}
+
+std::vector<ParameterValue> base_parameters(const ConfrontationConfig& config, const Confrontation& confrontation) {
+  const BaseFit& base = confrontation.base;
+  std::vector<ParameterValue> values =
+      parameter_values(config, theta_at(config, confrontation.centre + base.coded), base.error);
+  std::size_t c = 0;
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    if (!config.parameters[p].calibrated) continue;
+    values[p].determined = base.determined[c];
+    values[p].limited = base.limited[c++];
+  }
+  return values;
+}
+
+/// Of the best extension, as its configurations are written; only what calibration moves.
+std::vector<ParameterValue> extended_parameters(const ConfrontationConfig& config, const Confrontation& confrontation) {
+  const HypothesisFit& fit = confrontation.conclusion.kept.front();
+  const VectorXd error = fit.covariance.diagonal().head(fit.coded.size()).array().sqrt();
+  std::vector<ParameterValue> values =
+      parameter_values(config, final_theta(config, confrontation, FinalModel::extension), error);
+  std::vector<ParameterValue> moved;
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    if (config.parameters[p].calibrated) moved.push_back(std::move(values[p]));
+  }
+  return moved;
+}
+
+}  // namespace
+
+VerdictContext verdict_context(const ConfrontationConfig& config, const ConfrontationTask& task,
+                               const Confrontation& confrontation) {
+  VerdictContext context;
+  context.parameters = base_parameters(config, confrontation);
+  if (!confrontation.conclusion.kept.empty()) context.extended_parameters = extended_parameters(config, confrontation);
   if (config.split_proposed)
     context.notes.push_back(
         "the split into fitted and kept-back tests was proposed by kind of test: neither the "

@@ -42,9 +42,14 @@ std::vector<double> within_limits(const ConfrontationConfig& config, std::vector
 
 }  // namespace
 
+std::vector<double> final_theta(const ConfrontationConfig& config, const Confrontation& confrontation,
+                                FinalModel model) {
+  return within_limits(config, theta_at(config, final_coded(confrontation, model)));
+}
+
 RunConfig final_run(const ConfrontationConfig& config, const Confrontation& confrontation, const MeasuredTest& test,
                     FinalModel model, VirtualOutput output, std::uint64_t seed) {
-  const std::vector<double> theta = within_limits(config, theta_at(config, final_coded(confrontation, model)));
+  const std::vector<double> theta = final_theta(config, confrontation, model);
   const RunConfig run = virtual_test(config, test, output);
   return configured(run, config.parameters, theta, final_mechanisms(confrontation, model, run), seed);
 }

@@ -111,9 +111,10 @@ ordered_json gains_json(const Confrontation& c) {
     }
     return list;
   };
-  if (!c.extensions.empty() && c.extensions.front().gain) {
-    json.update(gain_json(*c.extensions.front().gain));
-    json["causes"] = ids(c, c.extensions.front().fit);
+  if (!c.extensions.empty()) {
+    const ExtensionGain& best = c.extensions.front();
+    if (best.gain) json.update(gain_json(*best.gain));
+    json["causes"] = ids(c, best.fit);
   }
   json["others"] = listed(c.extensions, 1);
   json["decoys"] = listed(c.decoys, 0);
@@ -148,9 +149,9 @@ ordered_json gate_json(const Gate& gate) {
           {"p_too_good", gate.p_too_good},     {"alarms", std::move(alarms)}};
 }
 
-ordered_json parameters_json(const VerdictContext& context) {
+ordered_json parameters_json(const std::vector<ParameterValue>& parameters) {
   ordered_json list = ordered_json::array();
-  for (const ParameterValue& p : context.parameters) {
+  for (const ParameterValue& p : parameters) {
     list.push_back({{"name", p.name},
                     {"label", p.label},
                     {"unit", p.unit},
@@ -159,6 +160,13 @@ ordered_json parameters_json(const VerdictContext& context) {
                     {"determined", p.determined},
                     {"at_limit", p.limited}});
   }
+  return list;
+}
+
+ordered_json extended_json(const std::vector<ParameterValue>& parameters) {
+  ordered_json list = ordered_json::array();
+  for (const ParameterValue& p : parameters)
+    list.push_back({{"name", p.name}, {"value", number(p.value)}, {"error", number(p.error)}});
   return list;
 }
 
@@ -215,7 +223,8 @@ ordered_json verdict_json(const Confrontation& c, const VerdictContext& context)
                        {"pairs", std::move(pairs)},
                        {"cosines", cosines_json(c)},
                        {"gate", gate_json(c.gate)},
-                       {"parameters", parameters_json(context)},
+                       {"parameters", parameters_json(context.parameters)},
+                       {"extended_parameters", extended_json(context.extended_parameters)},
                        {"wrong", wrong_json(c)},
                        {"detectable_amplitude", detectable_json(c)},
                        {"gain", gains_json(c)},

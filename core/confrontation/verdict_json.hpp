@@ -25,6 +25,7 @@ struct NextTest {
 /// What a verdict says beside the confrontation's numbers.
 struct VerdictContext {
   std::vector<ParameterValue> parameters;
+  std::vector<ParameterValue> extended_parameters;  ///< Of the best extension, refitted with it; empty without one.
   std::vector<NextTest> next_tests;
   std::string extended_config;  ///< Relative to the verdict; empty where there is none.
   std::string data_sha256, frozen_sha256;

@@ -47,6 +47,13 @@ class Confront(support.CommandLineTest):
         for name in ("config.original.json", "manifest.json", "shown.json", "report.html", "report.md", "configs/tiny_B1.json"):
             self.assertTrue((self.folder / name).is_file(), name)
 
+    def test_the_extension_states_its_own_microparameters_which_its_configurations_hold(self):
+        verdict, config = self.verdict(), json.loads((self.folder / "configs/tiny_B1.json").read_text())
+        refitted = {p["name"]: p for p in verdict["extended_parameters"]}
+        self.assertAlmostEqual(refitted["t_c"]["value"], config["contacts"]["tensile_strength_mpa"], delta=1e-9)
+        self.assertGreater(refitted["t_c"]["error"], 0.0)
+        self.assertIn("With compliance of the loading frame", re.sub(r"\s+", " ", self.page(self.folder).words))
+
     def test_the_page_says_the_verdict_and_has_every_chapter(self):
         page, verdict = self.page(self.folder), self.verdict()
         self.assertEqual(page.sections(), ["Verdict", "What is wrong", "The cause", "The gain", "Failure patterns",

@@ -1,5 +1,6 @@
 """How a verdict fares against what was hidden, and rates with their 95 % binomial intervals."""
 import math
+import statistics
 
 MOST_NAMES = 3  # a larger set says "cannot tell"
 # Each: whether it holds for a judged row; rates are shares of the rows for which `of` holds.
@@ -91,11 +92,27 @@ def confusion(rows):
     return matrix
 
 
+OTHER_ANSWERS = {"tie_with_truth": "a tie with the truth", "indistinguishable": "a tie without it", "cannot_tell": "more than three",
+                 "two_causes": "two causes", "unexplained": "unexplained", "nothing_found": "nothing found"}
+
+
+def confusion_matrix(matrix, ids):
+    """What `asperity report --confusion` draws: hidden cases by answers, mechanisms on the diagonal, then nothing and what is outside."""
+    place = {id: number for number, id in enumerate(sorted(ids))}
+    cases = sorted(matrix, key=lambda case: (place.get(case.split("@")[0], len(place)), case))
+    answers = [*sorted(ids), *OTHER_ANSWERS]
+    return {"rows": [case.removesuffix("@1") for case in cases], "columns": [OTHER_ANSWERS.get(a, a) for a in answers],
+            "counts": [[matrix[case].get(answer, 0) for answer in answers] for case in cases]}
+
+
 def gain_summary(rows):
-    """Change of expected log predictive density on the hold-out tests, of verdicts with an extension."""
+    """On the hold-out tests, of verdicts with an extension: change of expected log predictive density, and the extension's
+    root mean square deviation over the recalibrated base's."""
     gains = [r["gain"] for r in rows if r.get("gain") and r["gain"]["elpd_change"] is not None]
-    changes = [g["elpd_change"] for g in gains]
-    claimed = sum(g["elpd_interval_90"][0] > 0 for g in gains)
-    if not changes:
+    if not gains:
         return None
-    return {"verdicts": len(changes), "mean_elpd_change": sum(changes) / len(changes), "claimed": claimed}
+    changes = [g["elpd_change"] for g in gains]
+    shares = [g["rms_z_after"] / g["rms_z_before"] for g in gains]
+    return {"verdicts": len(gains), "mean_elpd_change": statistics.mean(changes), "claimed": sum(g["claimed"] for g in gains),
+            "median_error_share": statistics.median(shares), "halved": sum(share <= 0.5 for share in shares),
+            "median_error_before": statistics.median(g["rms_z_before"] for g in gains)}

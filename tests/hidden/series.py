@@ -1,9 +1,11 @@
 """The full set of hidden effects: series.py BINARY SOURCE --sets N --suite rich|poor --specimens 6|3 [--seed S].
 
 Null data, every mechanism at its strong and half amplitude, pairs, and effects outside the library; drawn anew each time, the seed is
-printed. Writes rows.jsonl while it goes (the same call goes on where it was ended), table.txt and summary.json at the end.
+printed. Writes rows.jsonl while it goes (the same call goes on where it was ended); table.txt, summary.json and confusion.json (for
+`asperity report --confusion`) at the end.
 """
 import argparse
+import concurrent.futures
 import json
 import os
 import pathlib
@@ -115,6 +117,9 @@ def table(found):
     for part in ("kinds", "cases"):
         for name, rates in found[part].items():
             lines.append(f"{name:32}" + "".join(f"  {rate}: {scoring.rate_text(r)}" for rate, r in rates.items() if r["of"]))
+    for kind, gain in found["gain"].items():
+        if gain:
+            lines.append(f"gain, {kind:26}" + "".join(f"  {name}: {value:.3g}" for name, value in gain.items()))
     return "\n".join(lines) + "\n"
 
 
@@ -124,17 +129,28 @@ def fill_pool(base, pool, sets):
 
 
 def run_series(o, base, pool, acts_in, out):
+    """Verdicts side by side, rows in the sets' order; the first alone, since it makes the bank's golden runs."""
     binary = o.decoys or o.binary
-    confronter = Confronter(binary.resolve(), o.source.resolve(), o.store or o.source / "outputs/hidden_store", o.jobs)
+    confronter = Confronter(binary.resolve(), o.source.resolve(), o.store or o.source / "outputs/hidden_store", 1)
     rows_path = out / "rows.jsonl"
     rows = [json.loads(line) for line in rows_path.read_text().splitlines()] if rows_path.exists() else []
     sets = all_sets(o, acts_in)
-    for index, (name, kind, plan, draw) in enumerate(sets[len(rows):], len(rows)):
-        row = {"case": name, "kind": kind, **run_set(base, pool, confronter, plan, draw, out / f"set_{index:05}")}
+
+    def row_of(index):
+        name, kind, plan, draw = sets[index]
+        return {"case": name, "kind": kind, **run_set(base, pool, confronter, plan, draw, out / f"set_{index:05}")}
+
+    def keep(row):
         rows.append(row)
         with rows_path.open("a") as file:
             file.write(json.dumps(row) + "\n")
-        print(f"{index + 1} of {len(sets)}: {row['status']} {' '.join(row['causes'])} ({name})", file=sys.stderr, flush=True)
+        print(f"{len(rows)} of {len(sets)}: {row['status']} {' '.join(row['causes'])} ({row['case']})", file=sys.stderr, flush=True)
+
+    if len(rows) < len(sets):
+        keep(row_of(len(rows)))
+    with concurrent.futures.ThreadPoolExecutor(o.jobs) as workers:
+        for row in workers.map(row_of, range(len(rows), len(sets))):
+            keep(row)
     return summary(o, rows, sorted(library(binary).keys() - acts_in.keys()))
 
 
@@ -151,6 +167,8 @@ def main(arguments):
     out.mkdir(parents=True, exist_ok=True)
     found = run_series(o, base, pool, acts_in, out)
     dataset.write_json(out / "summary.json", found)
+    seen = {case.split("@")[0] for case in found["confusion"]} & acts_in.keys()
+    dataset.write_json(out / "confusion.json", scoring.confusion_matrix(found["confusion"], seen))
     (out / "table.txt").write_text(table(found))
     print(table(found), end="")
 

@@ -118,10 +118,21 @@ class Scoring(unittest.TestCase):
                 (verdict("named", "damping"), verdict("named", "seating"), verdict("indistinguishable", "seating", "damping"), verdict("unexplained"))]
         self.assertEqual(scoring.confusion(rows), {"seating@1": {"damping": 1, "seating": 1, "tie_with_truth": 1, "unexplained": 1}})
 
+    def test_a_confusion_matrix_has_mechanisms_on_its_diagonal(self):
+        found = {"null": {"nothing_found": 3}, "seating@1": {"seating": 2, "tie_with_truth": 1}, "damping@1": {"seating": 1}}
+        matrix = scoring.confusion_matrix(found, ["seating", "damping"])
+        self.assertEqual(matrix["rows"], ["damping", "seating", "null"])
+        self.assertEqual(matrix["columns"][:3], ["damping", "seating", "a tie with the truth"])
+        self.assertEqual([row[:3] for row in matrix["counts"]], [[0, 1, 0], [0, 2, 1], [0, 0, 0]])
+        self.assertEqual(sum(map(sum, matrix["counts"])), 7)
+
     def test_gain_of_verdicts_without_an_extension_is_left_out(self):
-        rows = [{"gain": {"elpd_change": None, "elpd_interval_90": None}}, {"gain": {"elpd_change": 2.0, "elpd_interval_90": [0.5, 3.0]}},
-                {"gain": {"elpd_change": 1.0, "elpd_interval_90": [-0.5, 3.0]}}]
-        self.assertEqual(scoring.gain_summary(rows), {"verdicts": 2, "mean_elpd_change": 1.5, "claimed": 1})
+        none = {"elpd_change": None, "elpd_interval_90": None}
+        some = {"elpd_change": 2.0, "claimed": True, "rms_z_before": 2.0, "rms_z_after": 0.5}
+        less = {"elpd_change": 1.0, "claimed": False, "rms_z_before": 1.0, "rms_z_after": 0.75}
+        rows = [{"gain": none}, {"gain": some}, {"gain": less}]
+        self.assertEqual(scoring.gain_summary(rows), {"verdicts": 2, "mean_elpd_change": 1.5, "claimed": 1, "median_error_share": 0.5,
+                                                      "halved": 1, "median_error_before": 1.5})
         self.assertIsNone(scoring.gain_summary(rows[:1]))
 
 

@@ -19,9 +19,9 @@ class Confronter:
         return [str(self.binary), "confront", str(self.config), *sets, "--no-report", "--jobs", str(self.jobs),
                 "--store", str(self.store), "--out", str(out)]
 
-    def verdict(self, measured, out, suite, settings=()):
+    def verdict(self, measured, out, suite, settings=(), flags=()):
         """Runs the confrontation; its verdict.json, parsed."""
-        result = subprocess.run(self.call(measured, out, suite, settings), capture_output=True, text=True, timeout=self.seconds)
+        result = subprocess.run([*self.call(measured, out, suite, settings), *flags], capture_output=True, text=True, timeout=self.seconds)
         if result.returncode != 0:
             raise RuntimeError(f"confront ended with exit code {result.returncode}: {result.stderr[-2000:]}")
         verdict = json.loads((out / "verdict.json").read_text())
