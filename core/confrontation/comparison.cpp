@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 namespace {
@@ -101,9 +102,9 @@ void choose_slots(const Evidence& evidence, TestUse use, Comparison& comparison)
 
 void take_means(Comparison& comparison) {
   const auto size = static_cast<Index>(comparison.slots.size());
-  for (VectorXd* v :
-       {&comparison.data, &comparison.model, &comparison.specimens, &comparison.meshes, &comparison.instrument_sd})
-    v->resize(size);
+  for (VectorXd* v : {&comparison.data, &comparison.model, &comparison.specimens, &comparison.meshes,
+                      &comparison.instrument_sd, &comparison.zero_sd})
+    v->setZero(size);
   for (ComparedTest& part : comparison.tests) {
     const TestEvidence& test = *part.test;
     part.meshes.resize(test.base.rows(), static_cast<Index>(part.columns.size()));
@@ -115,6 +116,7 @@ void take_means(Comparison& comparison) {
       comparison.specimens(at) = static_cast<double>(measured.values.size());
       comparison.meshes(at) = static_cast<double>(base.values.size());
       comparison.instrument_sd(at) = test.instrument_sd(column);
+      if (test.zero_sd.size() > 0) comparison.zero_sd(at) = test.zero_sd(column);
       part.meshes.col(i) = centred(test.base.col(column));
     }
   }
@@ -180,16 +182,45 @@ void take_parameters(const Evidence& evidence, Comparison& comparison) {
   }
 }
 
+/// Changes between two amplitudes by their unit; where the far runs tell nothing, as up to the near ones.
+void take_beyond(const TestEvidence& test, const ComparedTest& part, std::size_t k, const Candidate& candidate,
+                 Comparison& comparison) {
+  const Samples &near = test.mechanism[k], &far = test.far[k];
+  const Index meshes = std::min(near.rows(), far.rows());
+  for (std::size_t i = 0; i < part.columns.size(); ++i) {
+    const Index column = part.columns[i], at = part.first + static_cast<Index>(i), of = static_cast<Index>(k);
+    const VectorXd change = far.col(column).head(meshes) - near.col(column).head(meshes);
+    if (!enough_pairs(change)) continue;
+    const double way = candidate.far - candidate.amplitude;
+    comparison.beyond(at, of) = finite_values(change).mean / way;
+    comparison.beyond_rows[k].col(at).head(meshes) = centred(change) / way;
+  }
+}
+
 void take_candidates(const Evidence& evidence, Comparison& comparison) {
   const auto size = static_cast<Index>(comparison.slots.size());
   const std::size_t count = evidence.candidates.size();
   comparison.fingerprint = MatrixXd::Zero(size, static_cast<Index>(count));
+  comparison.knee = VectorXd::Constant(static_cast<Index>(count), std::numeric_limits<double>::infinity());
+  comparison.reach.resize(static_cast<Index>(count));
   for (std::size_t k = 0; k < count; ++k) {
     const auto runs = [](const TestEvidence& t, std::size_t item) -> const Samples& { return t.mechanism[item]; };
     const Differences d = differences(comparison, k, runs);
     const double amplitude = evidence.candidates[k].amplitude;
     comparison.fingerprint.col(static_cast<Index>(k)) = d.mean / amplitude;
     comparison.fingerprint_rows.push_back(d.rows / amplitude);
+    comparison.reach(static_cast<Index>(k)) = amplitude;
+  }
+  comparison.beyond = comparison.fingerprint;
+  comparison.beyond_rows = comparison.fingerprint_rows;
+  for (const ComparedTest& part : comparison.tests) {
+    for (std::size_t k = 0; k < part.test->far.size(); ++k) {
+      if (part.test->far[k].rows() == 0) continue;
+      const Candidate& candidate = evidence.candidates[k];
+      comparison.knee(static_cast<Index>(k)) = candidate.amplitude;
+      comparison.reach(static_cast<Index>(k)) = candidate.far;
+      take_beyond(*part.test, part, k, candidate, comparison);
+    }
   }
 }
 
@@ -202,6 +233,21 @@ Comparison compare(const Evidence& evidence, TestUse use) {
   take_parameters(evidence, comparison);
   take_candidates(evidence, comparison);
   return comparison;
+}
+
+VectorXd effect_of(const Comparison& comparison, Index k, double amplitude) {
+  const double near = std::min(amplitude, comparison.knee(k));
+  return near * comparison.fingerprint.col(k) + (amplitude - near) * comparison.beyond.col(k);
+}
+
+MatrixXd effect_rows(const Comparison& comparison, Index k, double amplitude) {
+  const double near = std::min(amplitude, comparison.knee(k));
+  const auto at = static_cast<std::size_t>(k);
+  return near * comparison.fingerprint_rows[at] + (amplitude - near) * comparison.beyond_rows[at];
+}
+
+VectorXd secant_of(const Comparison& comparison, Index k) {
+  return effect_of(comparison, k, comparison.reach(k)) / comparison.reach(k);
 }
 
 VectorXd model_at(const Comparison& comparison, const VectorXd& coded) {

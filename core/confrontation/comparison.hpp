@@ -30,12 +30,24 @@ struct Comparison {
   Eigen::VectorXd specimens;    ///< Number of measured values.
   Eigen::VectorXd meshes;       ///< Number of runs behind the model's mean.
   Eigen::VectorXd instrument_sd;
+  Eigen::VectorXd zero_sd;      ///< Of one specimen, by instruments' zeros.
   Eigen::MatrixXd jacobian;     ///< By coded parameter, central differences; Eq. (N7). One-sided at a limit.
   Eigen::MatrixXd curvature;    ///< By coded parameter, second differences that stand out of their error, else 0.
   Eigen::MatrixXd fingerprint;  ///< By candidate, a unit of amplitude; Eq. (N8).
+  Eigen::MatrixXd beyond;       ///< By candidate, a unit of amplitude beyond its knee; Eq. (N21).
+  Eigen::VectorXd knee;         ///< By candidate: amplitude of its first runs; infinite where there are no far ones.
+  Eigen::VectorXd reach;        ///< By candidate: amplitude of its farthest runs.
   std::vector<Eigen::MatrixXd> jacobian_rows;     ///< By parameter: common meshes by slots, less their mean.
   std::vector<Eigen::MatrixXd> fingerprint_rows;  ///< By candidate, likewise.
+  std::vector<Eigen::MatrixXd> beyond_rows;       ///< By candidate, likewise.
 };
+
+/// What a candidate does at an amplitude, Eq. (N21); the rows are those of its error over common meshes.
+Eigen::VectorXd effect_of(const Comparison& comparison, Eigen::Index candidate, double amplitude);
+Eigen::MatrixXd effect_rows(const Comparison& comparison, Eigen::Index candidate, double amplitude);
+
+/// A unit of amplitude on the way to the farthest runs.
+Eigen::VectorXd secant_of(const Comparison& comparison, Eigen::Index candidate);
 
 /// Compares the tests of one use. A slot is left out where fewer than half of the specimens, or three quarters of the
 /// base's runs, or half of a parameter's runs give a value, or where nothing scatters.

@@ -53,6 +53,11 @@ std::string_view word(VerdictStatus status) {
   return "unexplained";
 }
 
+bool both_act(const HypothesisFit& pair) {
+  constexpr double kErrors = 2.0;
+  return (pair.amplitude.array().abs() > kErrors * pair.amplitude_error.array()).all();
+}
+
 Conclusion conclude(const Comparison& comparison, const Scatter& scatter, const BaseFit& fit, const Gate& gate,
                     const std::vector<Candidate>& candidates, const HypothesisMaker& make,
                     const NamingOptions& options) {
@@ -83,6 +88,7 @@ Conclusion conclude(const Comparison& comparison, const Scatter& scatter, const 
   }
   if (pairs.empty()) return conclusion;
   conclusion.pairs = judge(comparison, scatter, fit, candidates, make(pairs), options);
+  for (HypothesisFit& pair : conclusion.pairs) pair.kept = pair.kept && both_act(pair);
   sort_by_misfit(conclusion.pairs);
   const std::vector<HypothesisFit> kept = kept_of(conclusion.pairs);
   if (kept.empty()) return conclusion;

@@ -20,6 +20,9 @@ struct Conclusion {
   std::vector<HypothesisFit> kept;     ///< What the data do not refute: singles, or pairs; the best fit first.
 };
 
+/// Whether each amplitude of a pair lies farther from 0 than twice its error: else one cause alone does the same.
+bool both_act(const HypothesisFit& pair);
+
 /// Makes the hypothesis of these causes: in the linear frame, or by runs.
 using HypothesisMaker = std::function<std::vector<Hypothesis>(const std::vector<std::vector<Eigen::Index>>&)>;
 

@@ -40,6 +40,8 @@ void compare_fitted(Confrontation& state, const NamingOptions& options) {
   require_features(state.fitted);
   state.scatter = scatter_of(state.fitted, options.draws.noise);
   state.base = calibrate_base(state.fitted, state.scatter.covariance, state.evidence.parameters);
+  state.scatter = scatter_at(state.fitted, state.base.coded, options.draws.noise);
+  state.base = calibrate_base(state.fitted, state.scatter.covariance, state.evidence.parameters);
 }
 
 /// Gauss-Newton with real runs: the centre moves to the calibrated parameters.
@@ -78,7 +80,7 @@ void simulate_effects(const ConfrontationTask& task, Confrontation& state) {
   if (!screened) return;
   const WhitenedFrame frame(state.scatter.covariance, state.base.absorbing);
   Gate first;
-  first.pattern = pattern_of(frame, state.base.difference, state.fitted.fingerprint, state.evidence.candidates);
+  first.pattern = pattern_of(frame, state.base.difference, state.fitted, state.evidence.candidates);
   plan.candidate_meshes = worthwhile_meshes(task, first);
   simulate_evidence(state.evidence, plan, state.centre, "effects of likely causes", task.configure, task.features);
   compare_fitted(state, task.options);
@@ -129,7 +131,8 @@ HypothesisFit single_fit(const Confrontation& state, Index cause, const Hypothes
 void measure_gains(const ConfrontationTask& task, Confrontation& state, const HypothesisMaker& make) {
   if (state.conclusion.kept.empty()) return;
   state.kept_back = compare(state.evidence, TestUse::hold_out);
-  if (state.kept_back.data.size() > 0) state.kept_back_scatter = scatter_of(state.kept_back, task.options.draws.noise);
+  if (state.kept_back.data.size() > 0)
+    state.kept_back_scatter = scatter_at(state.kept_back, state.base.coded, task.options.draws.noise);
   for (const HypothesisFit& fit : state.conclusion.kept) state.extensions.push_back(extension_gain(task, state, fit));
   for (const Index k : decoy_candidates(state, task.options)) {
     state.decoys.push_back(extension_gain(task, state, single_fit(state, k, make)));

@@ -53,7 +53,7 @@ ordered_json frozen(const ConfrontationConfig& config, const ConfrontationTask& 
                               {"features", slots}};
   }
   for (const Candidate& c : task.evidence.candidates)
-    json["library"][c.id] = {c.amplitude, c.two_sided, c.least, c.most, c.whole};
+    json["library"][c.id] = {c.amplitude, c.two_sided, c.least, c.most, c.whole, c.far};
   for (const ConfrontationParameter& p : config.parameters) {
     ordered_json only = ordered_json::array();
     for (const ExperimentType type : p.only) only.push_back(word(type));

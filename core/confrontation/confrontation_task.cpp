@@ -52,14 +52,16 @@ void take_measured(TestEvidence& evidence, const MeasuredTest& test) {
   const auto specimens = static_cast<Index>(features.front().specimens.size());
   evidence.measured.resize(specimens, static_cast<Index>(evidence.slots.size()));
   evidence.instrument_sd.resize(static_cast<Index>(evidence.slots.size()));
+  evidence.zero_sd.resize(static_cast<Index>(evidence.slots.size()));
   for (std::size_t s = 0; s < evidence.slots.size(); ++s) {
     const FeatureSlot& slot = evidence.slots[s];
     const auto kind = static_cast<std::size_t>(slot.kind - kinds.data());
     const TestFeature& feature = features[kind];
     const auto column = static_cast<Index>(s);
     const double shared = instrument_error(slot, scales[kind], test), all = instrument_error(slot, feature, test);
-    const double zeros = std::max(0.0, all * all - shared * shared) / std::max(1, feature.count);
-    evidence.instrument_sd(column) = std::sqrt(shared * shared + zeros);
+    const double zeros = std::max(0.0, all * all - shared * shared);
+    evidence.zero_sd(column) = std::sqrt(zeros);
+    evidence.instrument_sd(column) = std::sqrt(shared * shared + zeros / std::max(1, feature.count));
     for (Index i = 0; i < specimens; ++i) {
       const auto& value = feature.specimens[static_cast<std::size_t>(i)].value;
       evidence.measured(i, column) = value ? transformed(slot, *value) : std::numeric_limits<double>::quiet_NaN();
@@ -137,6 +139,7 @@ EvidencePlan plan_of(const ConfrontationConfig& config, const Evidence& evidence
   plan.first_seed = config.meshes.first_seed;
   plan.fresh_seed = config.meshes.first_seed + 500000;
   plan.candidate_meshes.assign(evidence.candidates.size(), config.meshes.common);
+  plan.far = config.linearise_at == LineariseAt::reference;
   for (std::size_t t = 0; t < evidence.tests.size(); ++t) {
     plan.parameter_acts.emplace_back();
     plan.candidate_acts.emplace_back();
@@ -165,6 +168,13 @@ double least_amplitude(const MechanismDeclaration& declaration) {
   return least;
 }
 
+/// Twice the first amplitude where ranges allow that or nearly so.
+double far_amplitude(double amplitude, double most) {
+  constexpr double kFar = 2.0, kWorthwhile = 1.5;
+  const double far = std::min(kFar * amplitude, most);
+  return far >= kWorthwhile * amplitude ? far : 0.0;
+}
+
 }  // namespace
 
 std::vector<Candidate> library_candidates(const std::vector<std::string>& ids) {
@@ -173,9 +183,9 @@ std::vector<Candidate> library_candidates(const std::vector<std::string>& ids) {
     const MechanismDeclaration& declaration = *find_mechanism(id);
     const bool whole = takes_whole_numbers(declaration);
     const bool two_sided = declaration.suspect && !whole;
-    candidates.push_back({id, whole ? kWhole : kStep, two_sided, declaration.suspect,
-                          whole ? kWhole : most_amplitude(declaration, two_sided), least_amplitude(declaration),
-                          whole});
+    const double most = whole ? kWhole : most_amplitude(declaration, two_sided);
+    candidates.push_back({id, whole ? kWhole : kStep, two_sided, declaration.suspect, most,
+                          least_amplitude(declaration), whole, whole || two_sided ? 0.0 : far_amplitude(kStep, most)});
   }
   return candidates;
 }

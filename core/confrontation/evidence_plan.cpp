@@ -77,12 +77,16 @@ void plan_candidates(PlannedRuns& planned, Evidence& evidence, const EvidencePla
                      const VectorXd& centre, const ConfigureRun& configure) {
   TestEvidence& test = evidence.tests[t];
   test.mechanism.assign(evidence.candidates.size(), no_values(0, test));
+  test.far.assign(evidence.candidates.size(), no_values(0, test));
   if (test.use == TestUse::hold_out && !plan.kept_back_candidates) return;
   for (std::size_t k = 0; k < evidence.candidates.size(); ++k) {
     if (!plan.candidate_acts[t][k] || plan.candidate_meshes[k] == 0) continue;
     const Candidate& c = evidence.candidates[k];
     add_rows(planned, evidence, plan, {t, centre, {{c.id, c.amplitude}}, 0}, plan.candidate_meshes[k], c.id,
              test.mechanism[k], configure);
+    if (!plan.far || c.far == 0.0) continue;
+    add_rows(planned, evidence, plan, {t, centre, {{c.id, c.far}}, 0}, plan.candidate_meshes[k], c.id + ", far",
+             test.far[k], configure);
   }
 }
 

@@ -14,12 +14,17 @@ using Eigen::VectorXd;
 
 constexpr double kTail = 0.05;  // on each side of a 90 % interval
 
-MatrixXd effects(const Comparison& comparison, const VectorXd& coded, const std::vector<Index>& causes) {
+/// Slopes by parameter, then by cause at its amplitude.
+MatrixXd effects(const Comparison& comparison, const VectorXd& coded, const std::vector<Index>& causes,
+                 const VectorXd& amplitude) {
   const Index parameters = comparison.jacobian.cols();
   MatrixXd columns(comparison.data.size(), parameters + static_cast<Index>(causes.size()));
   columns.leftCols(parameters) = comparison.jacobian + comparison.curvature * coded.asDiagonal();
-  for (std::size_t i = 0; i < causes.size(); ++i)
-    columns.col(parameters + static_cast<Index>(i)) = comparison.fingerprint.col(causes[i]);
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    const bool far = amplitude(static_cast<Index>(i)) > comparison.knee(causes[i]);
+    const MatrixXd& slopes = far ? comparison.beyond : comparison.fingerprint;
+    columns.col(parameters + static_cast<Index>(i)) = slopes.col(causes[i]);
+  }
   return columns;
 }
 
@@ -55,14 +60,16 @@ std::vector<FeatureGain> feature_gains(const Comparison& comparison, const Scatt
 double natural(const FeatureSlot& slot, double sample) { return slot.logarithmic ? std::exp(sample) : sample; }
 
 FeaturePrediction predict_base(const Comparison& comparison, const Scatter& scatter, const BaseFit& fit) {
-  const MatrixXd columns = effects(comparison, fit.coded, {});
+  const MatrixXd columns = effects(comparison, fit.coded, {}, {});
   return {model_at(comparison, fit.coded), scatter.covariance + columns * fit.covariance * columns.transpose()};
 }
 
 FeaturePrediction predict_extension(const Comparison& comparison, const Scatter& scatter, const HypothesisFit& fit) {
-  const MatrixXd columns = effects(comparison, fit.coded, fit.causes);
-  return {model_at(comparison, fit.coded) + columns.rightCols(fit.amplitude.size()) * fit.amplitude,
-          scatter.covariance + columns * fit.covariance * columns.transpose()};
+  const MatrixXd columns = effects(comparison, fit.coded, fit.causes, fit.amplitude);
+  VectorXd mean = model_at(comparison, fit.coded);
+  for (std::size_t i = 0; i < fit.causes.size(); ++i)
+    mean += effect_of(comparison, fit.causes[i], fit.amplitude(static_cast<Index>(i)));
+  return {std::move(mean), scatter.covariance + columns * fit.covariance * columns.transpose()};
 }
 
 double log_density(const VectorXd& data, const FeaturePrediction& prediction) {

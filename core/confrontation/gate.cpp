@@ -22,6 +22,21 @@ double true_square(const WhitenedFrame& frame, const VectorXd& fingerprint, cons
   return square - frame.project(rows.transpose()).squaredNorm() / (n * (n - 1.0));
 }
 
+double detectable_by(double square) {
+  return square > 0.0 ? std::sqrt(kDetectable / square) : std::numeric_limits<double>::infinity();
+}
+
+/// Eq. (N16), by the first runs up to their amplitude, beyond it by the farthest.
+double detectable_amplitude(const Comparison& comparison, const WhitenedFrame& frame, Index k) {
+  const double near = detectable_by(
+      true_square(frame, comparison.fingerprint.col(k), comparison.fingerprint_rows[static_cast<std::size_t>(k)]));
+  if (near <= comparison.knee(k)) return near;
+  const double reach = comparison.reach(k);
+  const double far =
+      detectable_by(true_square(frame, secant_of(comparison, k), effect_rows(comparison, k, reach) / reach));
+  return std::max(comparison.knee(k), far);
+}
+
 void describe_candidates(const Comparison& comparison, const WhitenedFrame& frame, Gate& gate) {
   const Index count = comparison.fingerprint.cols();
   gate.hidden_share = gate.detectable = VectorXd::Zero(count);
@@ -29,22 +44,29 @@ void describe_candidates(const Comparison& comparison, const WhitenedFrame& fram
     const VectorXd g = comparison.fingerprint.col(k);
     const double whole = frame.whiten(g).squaredNorm();
     gate.hidden_share(k) = whole > 0.0 ? 1.0 - frame.project(g).squaredNorm() / whole : 1.0;
-    const double square = true_square(frame, g, comparison.fingerprint_rows[static_cast<std::size_t>(k)]);
-    gate.detectable(k) = square > 0.0 ? std::sqrt(kDetectable / square) : std::numeric_limits<double>::infinity();
+    gate.detectable(k) = detectable_amplitude(comparison, frame, k);
   }
+}
+
+MatrixXd secants(const Comparison& comparison) {
+  MatrixXd columns(comparison.fingerprint.rows(), comparison.fingerprint.cols());
+  for (Index k = 0; k < columns.cols(); ++k) columns.col(k) = secant_of(comparison, k);
+  return columns;
 }
 
 }  // namespace
 
-Pattern pattern_of(const WhitenedFrame& frame, const VectorXd& difference, const MatrixXd& fingerprint,
+Pattern pattern_of(const WhitenedFrame& frame, const VectorXd& difference, const Comparison& comparison,
                    const std::vector<Candidate>& candidates) {
   const VectorXd residual = frame.project(difference);
-  const MatrixXd columns = frame.project(fingerprint);
-  Pattern pattern{residual.squaredNorm(), VectorXd::Zero(fingerprint.cols())};
-  for (Index k = 0; k < columns.cols(); ++k) {
-    const double square = columns.col(k).squaredNorm(), along = columns.col(k).dot(residual);
-    if (square <= 0.0 || (along < 0.0 && !candidates[static_cast<std::size_t>(k)].two_sided)) continue;
-    pattern.explained(k) = along * along / square;
+  Pattern pattern{residual.squaredNorm(), VectorXd::Zero(comparison.fingerprint.cols())};
+  for (const MatrixXd& effects : {comparison.fingerprint, secants(comparison)}) {
+    const MatrixXd columns = frame.project(effects);
+    for (Index k = 0; k < columns.cols(); ++k) {
+      const double square = columns.col(k).squaredNorm(), along = columns.col(k).dot(residual);
+      if (square <= 0.0 || (along < 0.0 && !candidates[static_cast<std::size_t>(k)].two_sided)) continue;
+      pattern.explained(k) = std::max(pattern.explained(k), along * along / square);
+    }
   }
   return pattern;
 }
@@ -73,7 +95,7 @@ Gate gate(const Comparison& comparison, const Scatter& scatter, const BaseFit& f
           const std::vector<Candidate>& candidates, const GateOptions& options) {
   const WhitenedFrame frame(scatter.covariance, fit.absorbing);
   Gate gate;
-  gate.pattern = pattern_of(frame, fit.difference, comparison.fingerprint, candidates);
+  gate.pattern = pattern_of(frame, fit.difference, comparison, candidates);
   describe_candidates(comparison, frame, gate);
   RandomStream random(options.seed, "confrontation gate");
   std::vector<double> misfits, least_misfits, explained;
@@ -81,7 +103,7 @@ Gate gate(const Comparison& comparison, const Scatter& scatter, const BaseFit& f
     const Repetition again = repeat(comparison, scatter, options.noise, random);
     const VectorXd difference = again.difference + drawn_parameter_error(comparison, fit, random);
     const WhitenedFrame drawn_frame(again.covariance, fit.absorbing);
-    const Pattern drawn = pattern_of(drawn_frame, difference, comparison.fingerprint, candidates);
+    const Pattern drawn = pattern_of(drawn_frame, difference, comparison, candidates);
     least_misfits.push_back(drawn_frame.project(again.least_difference).squaredNorm());
     misfits.push_back(drawn.misfit);
     explained.push_back(drawn.explained.size() > 0 ? drawn.explained.maxCoeff() : 0.0);

@@ -22,7 +22,8 @@ struct Pattern {
   Eigen::VectorXd explained;  ///< By candidate: Lambda, the part of it that an amplitude of its sign takes away.
 };
 
-Pattern pattern_of(const WhitenedFrame& frame, const Eigen::VectorXd& difference, const Eigen::MatrixXd& fingerprint,
+/// A candidate's effect is tried by its first runs and by its farthest, N21: Lambda is the larger one.
+Pattern pattern_of(const WhitenedFrame& frame, const Eigen::VectorXd& difference, const Comparison& comparison,
                    const std::vector<Candidate>& candidates);
 
 /// Whether calibration leaves a discrepancy: double parametric bootstrap, in which every draw estimates its own

@@ -28,9 +28,78 @@ AmplitudeRange range_of(const std::vector<Candidate>& candidates, const Hypothes
   return range;
 }
 
+/// The part of a cause's range with one slope: `offset` is what the slope's line has at amplitude 0.
+struct Segment {
+  VectorXd slope, offset;
+  double least = 0, greatest = 0;
+};
+
+bool has_knee(const Hypothesis& h, Index i) { return i < h.knee.size() && std::isfinite(h.knee(i)); }
+
+std::vector<Segment> segments_of(const Hypothesis& h, const AmplitudeRange& range, Index i) {
+  const VectorXd none = VectorXd::Zero(h.directions.rows());
+  if (!has_knee(h, i)) return {{h.directions.col(i), none, range.least(i), range.greatest(i)}};
+  const double knee = h.knee(i);
+  std::vector<Segment> segments;
+  if (range.least(i) <= knee)
+    segments.push_back({h.directions.col(i), none, range.least(i), std::min(knee, range.greatest(i))});
+  if (range.greatest(i) > knee)
+    segments.push_back({h.beyond.col(i), knee * (h.directions.col(i) - h.beyond.col(i)), std::max(knee, range.least(i)),
+                        range.greatest(i)});
+  return segments;
+}
+
+/// The best fit over all combinations of the causes' segments.
 AmplitudeFit refit(const WhitenedFrame& frame, const VectorXd& difference, const Hypothesis& h,
                    const AmplitudeRange& range) {
-  return fit_amplitudes(frame.project(difference), frame.project(h.directions), range.least, range.greatest);
+  const Index causes = h.directions.cols();
+  std::vector<std::vector<const Segment*>> combinations{{}};
+  std::vector<std::vector<Segment>> segments;
+  for (Index i = 0; i < causes; ++i) segments.push_back(segments_of(h, range, i));
+  for (const std::vector<Segment>& own : segments) {
+    std::vector<std::vector<const Segment*>> longer;
+    for (const auto& combination : combinations) {
+      for (const Segment& segment : own) {
+        longer.push_back(combination);
+        longer.back().push_back(&segment);
+      }
+    }
+    combinations = std::move(longer);
+  }
+  AmplitudeFit best{VectorXd::Zero(causes), std::numeric_limits<double>::max()};
+  for (const auto& combination : combinations) {
+    VectorXd left = difference, least(causes), greatest(causes);
+    MatrixXd slopes(difference.size(), causes);
+    for (Index i = 0; i < causes; ++i) {
+      const Segment& segment = *combination[static_cast<std::size_t>(i)];
+      left -= segment.offset;
+      slopes.col(i) = segment.slope;
+      least(i) = segment.least;
+      greatest(i) = segment.greatest;
+    }
+    AmplitudeFit fit = fit_amplitudes(frame.project(left), frame.project(slopes), least, greatest);
+    if (fit.misfit < best.misfit) best = std::move(fit);
+  }
+  return best;
+}
+
+/// What a step of the amplitudes changes, and the slopes where it ends.
+VectorXd change_of(const Hypothesis& h, const VectorXd& step) {
+  VectorXd change = VectorXd::Zero(h.difference.size());
+  for (Index i = 0; i < step.size(); ++i) {
+    const double near = has_knee(h, i) ? std::min(step(i), h.knee(i)) : step(i);
+    change += near * h.directions.col(i);
+    if (near != step(i)) change += (step(i) - near) * h.beyond.col(i);
+  }
+  return change;
+}
+
+MatrixXd slopes_at(const Hypothesis& h, const VectorXd& step) {
+  MatrixXd slopes = h.directions;
+  for (Index i = 0; i < step.size(); ++i) {
+    if (has_knee(h, i) && step(i) > h.knee(i)) slopes.col(i) = h.beyond.col(i);
+  }
+  return slopes;
 }
 
 MatrixXd beside(const MatrixXd& a, const MatrixXd& b) {
@@ -50,8 +119,8 @@ DrawnNoise drawn_noise(const Comparison& comparison, const Scatter& scatter, con
   Repetition again = repeat(comparison, scatter, options, random);
   VectorXd error = again.difference + drawn_parameter_error(comparison, base, random);
   for (std::size_t i = 0; i < fit.causes.size(); ++i) {
-    const MatrixXd& rows = comparison.fingerprint_rows[static_cast<std::size_t>(fit.causes[i])];
-    error += fit.amplitude(static_cast<Index>(i)) * drawn_error(comparison, rows, random);
+    const MatrixXd rows = effect_rows(comparison, fit.causes[i], fit.amplitude(static_cast<Index>(i)));
+    error += drawn_error(comparison, rows, random);
   }
   return {std::move(error), std::move(again.covariance)};
 }
@@ -91,14 +160,15 @@ void move_to_linear_fit(const WhitenedFrame& frame, const AmplitudeFit& change, 
                         HypothesisFit& fit) {
   fit.amplitude += change.amplitude;
   fit.misfit = change.misfit;
-  fit.residual = frame.unwhiten(frame.project(h.difference) - frame.project(h.directions) * change.amplitude);
-  fit.coded += frame.solve(h.jacobian, h.difference - h.directions * change.amplitude);
+  const VectorXd left = h.difference - change_of(h, change.amplitude);
+  fit.residual = frame.unwhiten(frame.project(left));
+  fit.coded += frame.solve(h.jacobian, left);
 }
 
 /// Largest part that any other candidate explains beyond the first.
 SecondCause strongest(const Comparison& comparison, const WhitenedFrame& frame, const VectorXd& difference,
                       const std::vector<Candidate>& candidates, const Hypothesis& first) {
-  const Pattern pattern = pattern_of(frame, difference, comparison.fingerprint, candidates);
+  const Pattern pattern = pattern_of(frame, difference, comparison, candidates);
   SecondCause second;
   for (Index k = 0; k < pattern.explained.size(); ++k) {
     if (std::find(first.causes.begin(), first.causes.end(), k) != first.causes.end()) continue;
@@ -122,7 +192,7 @@ HypothesisFit fit_hypothesis(const MatrixXd& covariance, const std::vector<Candi
   fit.residual = h.difference;
   fit.misfit = WhitenedFrame(covariance, MatrixXd(covariance.rows(), 0)).whiten(h.difference).squaredNorm();
   if (!h.by_runs) move_to_linear_fit(frame, refit(frame, h.difference, h, range_of(candidates, h)), h, fit);
-  fit.covariance = frame.information_inverse(beside(h.jacobian, h.directions));
+  fit.covariance = frame.information_inverse(beside(h.jacobian, slopes_at(h, fit.amplitude - h.amplitude)));
   fit.amplitude_error = fit.covariance.diagonal().tail(fit.amplitude.size()).array().sqrt();
   return fit;
 }
@@ -169,9 +239,9 @@ Hypothesis linear_hypothesis(const Comparison& comparison, const BaseFit& fit, s
   h.coded = fit.coded;
   h.difference = fit.difference;
   h.jacobian = fit.jacobian;
-  h.directions.resize(fit.difference.size(), static_cast<Index>(causes.size()));
-  for (std::size_t i = 0; i < causes.size(); ++i)
-    h.directions.col(static_cast<Index>(i)) = comparison.fingerprint.col(causes[i]);
+  h.directions = comparison.fingerprint(Eigen::all, causes);
+  h.beyond = comparison.beyond(Eigen::all, causes);
+  h.knee = comparison.knee(causes);
   h.causes = std::move(causes);
   return h;
 }
@@ -195,10 +265,11 @@ std::vector<HypothesisFit> judge(const Comparison& comparison, const Scatter& sc
 SecondCause second_cause(const Comparison& comparison, const Scatter& scatter, const BaseFit& base,
                          const std::vector<Candidate>& candidates, const Hypothesis& first,
                          const NamingOptions& options) {
-  const MatrixXd nuisance = beside(first.jacobian, first.directions);
   const HypothesisFit fit = fit_hypothesis(scatter.covariance, candidates, first);
-  SecondCause second =
-      strongest(comparison, WhitenedFrame(scatter.covariance, nuisance), first.difference, candidates, first);
+  const VectorXd step = fit.amplitude - first.amplitude;
+  const MatrixXd nuisance = beside(first.jacobian, slopes_at(first, step));
+  SecondCause second = strongest(comparison, WhitenedFrame(scatter.covariance, nuisance),
+                                 first.difference - change_of(first, step), candidates, first);
   if (second.candidate < 0) return second;
   RandomStream random(options.draws.seed, stream_name(first.causes, candidates) + " second");
   std::vector<double> explained;

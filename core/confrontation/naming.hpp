@@ -13,7 +13,9 @@ struct Hypothesis {
   Eigen::VectorXd coded;             ///< Parameters at which it was run.
   Eigen::VectorXd difference;        ///< Data less that model.
   Eigen::MatrixXd jacobian;          ///< By parameter: change of the model a step, there.
-  Eigen::MatrixXd directions;        ///< By cause: change of the model a unit of amplitude, there.
+  Eigen::MatrixXd directions;        ///< By cause: change of the model a unit of amplitude, there ...
+  Eigen::MatrixXd beyond;            ///< ... and from the knee on; Eq. (N21).
+  Eigen::VectorXd knee;              ///< By cause: further amplitude from which on; empty: none has one.
   bool by_runs = false;              ///< It was run where it fits best: a refit of the data stays there.
   bool converged = true;             ///< False: a linear fit from there still gains more than runs have shown.
 };

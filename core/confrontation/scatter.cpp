@@ -11,7 +11,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kOverallWeight = 10.0;  // degrees of freedom by which a kind's ratio is drawn to that of all
+constexpr double kOverallWeight = 10.0;  // degrees of freedom by which a kind's ratio is drawn to the kinds' median
 
 std::vector<NoiseBlock> noise_blocks(const Comparison& comparison, const std::vector<MatrixXd>& meshes) {
   std::vector<NoiseBlock> blocks;
@@ -44,7 +44,8 @@ struct Ratio {
   }
 };
 
-Ratio ratio_of(const ComparedTest& part, Index i, const MatrixXd& run) {
+/// Without what the instruments' zeros add, which N10 counts by itself.
+Ratio ratio_of(const Comparison& comparison, const ComparedTest& part, Index i, const MatrixXd& run) {
   Ratio ratio;
   const VectorXd column = part.test->measured.col(part.columns[static_cast<std::size_t>(i)]);
   double sum = 0.0, n = 0.0;
@@ -58,30 +59,42 @@ Ratio ratio_of(const ComparedTest& part, Index i, const MatrixXd& run) {
   for (const double v : column) {
     if (std::isfinite(v)) squares += (v - sum / n) * (v - sum / n);
   }
-  ratio.add(squares / run(i, i), n - 1.0);
+  const double zero = comparison.zero_sd(part.first + i);
+  ratio.add(std::max(0.0, squares - (n - 1.0) * zero * zero) / run(i, i), n - 1.0);
   return ratio;
 }
 
-/// Eq. (N9). A kind's ratio over all tests, drawn to that of all kinds; a test that stands for itself has its own.
+double median_value(const std::map<int, Ratio>& kinds) {
+  std::vector<double> values;
+  for (const auto& [kind, ratio] : kinds) {
+    if (ratio.freedom > 0.0) values.push_back(ratio.value());
+  }
+  if (values.empty()) return 1.0;
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+/// Eq. (N9). A kind's ratio over all tests, drawn to the kinds' median, which a few kinds that specimens scatter much
+/// more than runs do not move; a test that stands for itself has its own.
 VectorXd specimen_factors(const Comparison& comparison, const std::vector<MatrixXd>& run) {
   std::map<int, Ratio> kinds;
-  Ratio all;
   for (std::size_t t = 0; t < comparison.tests.size(); ++t) {
     const ComparedTest& part = comparison.tests[t];
     for (Index i = 0; i < run[t].rows(); ++i) {
-      const Ratio ratio = ratio_of(part, i, run[t]);
+      const Ratio ratio = ratio_of(comparison, part, i, run[t]);
       kinds[comparison.group[static_cast<std::size_t>(part.first + i)]].add(ratio.squares, ratio.freedom);
-      all.add(ratio.squares, ratio.freedom);
     }
   }
+  const double usual = median_value(kinds);
   VectorXd factors(comparison.data.size());
   for (std::size_t t = 0; t < comparison.tests.size(); ++t) {
     const ComparedTest& part = comparison.tests[t];
     for (Index i = 0; i < run[t].rows(); ++i) {
       const bool own = part.test->scatter == ScatterSource::specimens;
-      Ratio ratio =
-          own ? ratio_of(part, i, run[t]) : kinds.at(comparison.group[static_cast<std::size_t>(part.first + i)]);
-      if (!own) ratio.add(kOverallWeight * all.value(), kOverallWeight);
+      Ratio ratio = own ? ratio_of(comparison, part, i, run[t])
+                        : kinds.at(comparison.group[static_cast<std::size_t>(part.first + i)]);
+      if (!own) ratio.add(kOverallWeight * usual, kOverallWeight);
       factors(part.first + i) = std::sqrt(std::max(1.0, ratio.value()));
     }
   }
@@ -100,6 +113,24 @@ MatrixXd difference_covariance(const Comparison& comparison, const std::vector<M
     covariance.block(first, first, n, n) += meshes.asDiagonal() * run[t] * meshes.asDiagonal();
   }
   covariance.diagonal() += comparison.instrument_sd.array().square().matrix();
+  return covariance;
+}
+
+/// Eq. (N20).
+MatrixXd effects_covariance(const Comparison& comparison, const VectorXd& coded) {
+  const Index size = comparison.data.size();
+  MatrixXd covariance = MatrixXd::Zero(size, size);
+  for (Index p = 0; p < coded.size(); ++p) {
+    const MatrixXd& rows = comparison.jacobian_rows[static_cast<std::size_t>(p)];
+    const double n = static_cast<double>(rows.rows());
+    if (rows.rows() < 2) continue;
+    for (const ComparedTest& part : comparison.tests) {
+      const Index columns = static_cast<Index>(part.columns.size());
+      const MatrixXd own = rows.middleCols(part.first, columns);
+      covariance.block(part.first, part.first, columns, columns) +=
+          coded(p) * coded(p) / (n * (n - 1.0)) * own.transpose() * own;
+    }
+  }
   return covariance;
 }
 
@@ -134,13 +165,16 @@ Scatter scatter_of(const Comparison& comparison, const NoiseOptions& options) {
   Scatter scatter;
   scatter.run = run_covariances(noise_blocks(comparison, meshes_of(comparison)), options);
   scatter.specimen_factor = specimen_factors(comparison, scatter.run);
+  scatter.effects = MatrixXd::Zero(comparison.data.size(), comparison.data.size());
   scatter.covariance = difference_covariance(comparison, scatter.run, scatter.specimen_factor);
   return scatter;
 }
 
-MatrixXd covariance_from(const Comparison& comparison, const std::vector<MatrixXd>& meshes,
-                         const VectorXd& specimen_factor, const NoiseOptions& options) {
-  return difference_covariance(comparison, run_covariances(noise_blocks(comparison, meshes), options), specimen_factor);
+Scatter scatter_at(const Comparison& comparison, const VectorXd& coded, const NoiseOptions& options) {
+  Scatter scatter = scatter_of(comparison, options);
+  scatter.effects = effects_covariance(comparison, coded);
+  scatter.covariance += scatter.effects;
+  return scatter;
 }
 
 Repetition repeat(const Comparison& comparison, const Scatter& scatter, const NoiseOptions& options,
@@ -167,7 +201,9 @@ Repetition repeat(const Comparison& comparison, const Scatter& scatter, const No
   }
   for (Index i = 0; i < repetition.difference.size(); ++i)
     repetition.difference(i) += comparison.instrument_sd(i) * random.normal();
-  repetition.covariance = covariance_from(comparison, meshes, scatter.specimen_factor, options);
+  repetition.covariance = difference_covariance(comparison, run_covariances(noise_blocks(comparison, meshes), options),
+                                                scatter.specimen_factor);
+  repetition.covariance += scatter.effects;
   return repetition;
 }
 

@@ -12,14 +12,15 @@ namespace asperity {
 struct Scatter {
   std::vector<Eigen::MatrixXd> run;  ///< Covariance of one run, test by test.
   Eigen::VectorXd specimen_factor;   ///< Specimens' standard deviation over the runs', 1 or more; Eq. (N9).
-  Eigen::MatrixXd covariance;        ///< Of data less model, Eq. (N10).
+  Eigen::MatrixXd effects;           ///< Covariance by what the parameters' effects are not known, Eq. (N20).
+  Eigen::MatrixXd covariance;        ///< Of data less model, Eq. (N10), effects' error included.
 };
 
+/// Where the base stays at the parameters of its runs.
 Scatter scatter_of(const Comparison& comparison, const NoiseOptions& options);
 
-/// The covariance anew from other runs of the same tests, factors left as they are.
-Eigen::MatrixXd covariance_from(const Comparison& comparison, const std::vector<Eigen::MatrixXd>& meshes,
-                                const Eigen::VectorXd& specimen_factor, const NoiseOptions& options);
+/// Where calibration moves the base by `coded` steps from its runs, Eq. (N20).
+Scatter scatter_at(const Comparison& comparison, const Eigen::VectorXd& coded, const NoiseOptions& options);
 
 /// The whole comparison done once more without any discrepancy: other specimens, other meshes, other instruments.
 struct Repetition {
