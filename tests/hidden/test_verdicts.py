@@ -29,7 +29,8 @@ HIDDEN = {
     "seats_and_frame": ((("seating", 1.0), ("frame_compliance", 0.15)), None),
     "slip": ((), "slipping_gauge"),
 }
-STRAINS = {"uniaxial": ["peak_strain_from_toe"], "triaxial": ["peak_strain_from_toe"], "brazilian": ["stiffness_n_per_mm2"]}
+COMPRESSION = ["peak_axial_stress_mpa", "peak_strain_from_toe"]
+PEAKS = {"uniaxial": COMPRESSION, "triaxial": COMPRESSION, "brazilian": ["tensile_strength_mpa", "stiffness_n_per_mm2"]}
 
 
 def effects_of(name):
@@ -75,7 +76,7 @@ class Verdicts(unittest.TestCase):
         self.assertEqual((self.rows["slip"]["status"], self.rows["slip"]["causes"]), ("unexplained", []))
 
     def test_features_that_cannot_tell_causes_apart_give_a_tie_that_holds_the_truth(self):
-        verdict = self.confront(self.measured("frame"), "strains_alone", [("/features", STRAINS)])
+        verdict = self.confront(self.measured("frame"), "peaks_alone", [("/features", PEAKS)])
         self.assertEqual(verdict["status"], "indistinguishable")
         self.assertIn("frame_compliance", verdict["causes"])
         self.assertLessEqual(len(verdict["causes"]), scoring.MOST_NAMES)
