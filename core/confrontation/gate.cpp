@@ -12,7 +12,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kDetectable = 17.0;  // Lambda at which a single cause passes the gate nearly always
+constexpr double kDetectable = 17.0;  // least Lambda at which a single cause is said to pass the gate
+constexpr double kSurely = 1.0;       // standard deviations beyond the gate, for more than an even chance
 
 /// |P L^-1 g|^2 less what its own error adds to it in the mean.
 double true_square(const WhitenedFrame& frame, const VectorXd& fingerprint, const MatrixXd& rows) {
@@ -22,29 +23,37 @@ double true_square(const WhitenedFrame& frame, const VectorXd& fingerprint, cons
   return square - frame.project(rows.transpose()).squaredNorm() / (n * (n - 1.0));
 }
 
-double detectable_by(double square) {
-  return square > 0.0 ? std::sqrt(kDetectable / square) : std::numeric_limits<double>::infinity();
+double detectable_by(double lambda, double square) {
+  return square > 0.0 ? std::sqrt(lambda / square) : std::numeric_limits<double>::infinity();
+}
+
+/// Lambda that the draws leave to chance only at the gate's level, and somewhat more.
+double detectable_lambda(std::vector<double> explained, double level) {
+  std::sort(explained.begin(), explained.end());
+  const double place = (1.0 - level) * static_cast<double>(explained.size());
+  const std::size_t at = std::min(static_cast<std::size_t>(place), explained.size() - 1);
+  return std::max(kDetectable, std::pow(std::sqrt(explained[at]) + kSurely, 2));
 }
 
 /// Eq. (N16), by the first runs up to their amplitude, beyond it by the farthest.
-double detectable_amplitude(const Comparison& comparison, const WhitenedFrame& frame, Index k) {
-  const double near = detectable_by(
-      true_square(frame, comparison.fingerprint.col(k), comparison.fingerprint_rows[static_cast<std::size_t>(k)]));
+double detectable_amplitude(const Comparison& comparison, const WhitenedFrame& frame, Index k, double lambda) {
+  const double near = detectable_by(lambda, true_square(frame, comparison.fingerprint.col(k),
+                                                        comparison.fingerprint_rows[static_cast<std::size_t>(k)]));
   if (near <= comparison.knee(k)) return near;
   const double reach = comparison.reach(k);
   const double far =
-      detectable_by(true_square(frame, secant_of(comparison, k), effect_rows(comparison, k, reach) / reach));
+      detectable_by(lambda, true_square(frame, secant_of(comparison, k), effect_rows(comparison, k, reach) / reach));
   return std::max(comparison.knee(k), far);
 }
 
-void describe_candidates(const Comparison& comparison, const WhitenedFrame& frame, Gate& gate) {
+void describe_candidates(const Comparison& comparison, const WhitenedFrame& frame, double lambda, Gate& gate) {
   const Index count = comparison.fingerprint.cols();
   gate.hidden_share = gate.detectable = VectorXd::Zero(count);
   for (Index k = 0; k < count; ++k) {
     const VectorXd g = comparison.fingerprint.col(k);
     const double whole = frame.whiten(g).squaredNorm();
     gate.hidden_share(k) = whole > 0.0 ? 1.0 - frame.project(g).squaredNorm() / whole : 1.0;
-    gate.detectable(k) = detectable_amplitude(comparison, frame, k);
+    gate.detectable(k) = detectable_amplitude(comparison, frame, k, lambda);
   }
 }
 
@@ -96,7 +105,6 @@ Gate gate(const Comparison& comparison, const Scatter& scatter, const BaseFit& f
   const WhitenedFrame frame(scatter.covariance, fit.absorbing);
   Gate gate;
   gate.pattern = pattern_of(frame, fit.difference, comparison, candidates);
-  describe_candidates(comparison, frame, gate);
   RandomStream random(options.seed, "confrontation gate");
   std::vector<double> misfits, least_misfits, explained;
   for (int d = 0; d < options.draws; ++d) {
@@ -108,6 +116,7 @@ Gate gate(const Comparison& comparison, const Scatter& scatter, const BaseFit& f
     misfits.push_back(drawn.misfit);
     explained.push_back(drawn.explained.size() > 0 ? drawn.explained.maxCoeff() : 0.0);
   }
+  describe_candidates(comparison, frame, detectable_lambda(explained, options.explained_level), gate);
   const double most = gate.pattern.explained.size() > 0 ? gate.pattern.explained.maxCoeff() : 0.0;
   gate.p_explained = share_above(explained, most);
   gate.p_misfit = gamma_tail(misfits, gate.pattern.misfit);
