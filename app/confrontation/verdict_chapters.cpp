@@ -151,7 +151,7 @@ std::string extended_value(const Value& extended, const std::string& name) {
 
 void add_parameters(const ConfrontationData& data, Chapter& chapter) {
   const Value extended = data.verdict["extended_parameters"];
-  const bool refitted = extended.count() > 0;
+  const bool refitted = !extended.items().empty();
   PlainTable table{"Microparameters after calibration on the fitted tests.",
                    {{"Parameter", "", ColumnKind::head}, {refitted ? "Base" : "Value", "", ColumnKind::text}},
                    {}};

@@ -49,35 +49,41 @@ std::vector<Segment> segments_of(const Hypothesis& h, const AmplitudeRange& rang
   return segments;
 }
 
-/// The best fit over all combinations of the causes' segments.
-AmplitudeFit refit(const WhitenedFrame& frame, const VectorXd& difference, const Hypothesis& h,
-                   const AmplitudeRange& range) {
-  const Index causes = h.directions.cols();
-  std::vector<std::vector<const Segment*>> combinations{{}};
-  std::vector<std::vector<Segment>> segments;
-  for (Index i = 0; i < causes; ++i) segments.push_back(segments_of(h, range, i));
-  for (const std::vector<Segment>& own : segments) {
-    std::vector<std::vector<const Segment*>> longer;
-    for (const auto& combination : combinations) {
-      for (const Segment& segment : own) {
-        longer.push_back(combination);
-        longer.back().push_back(&segment);
+/// Every choice of one segment a cause.
+std::vector<std::vector<Segment>> choices_of(const Hypothesis& h, const AmplitudeRange& range) {
+  std::vector<std::vector<Segment>> choices{{}};
+  for (Index i = 0; i < h.directions.cols(); ++i) {
+    std::vector<std::vector<Segment>> longer;
+    for (const std::vector<Segment>& choice : choices) {
+      for (const Segment& segment : segments_of(h, range, i)) {
+        longer.push_back(choice);
+        longer.back().push_back(segment);
       }
     }
-    combinations = std::move(longer);
+    choices = std::move(longer);
   }
-  AmplitudeFit best{VectorXd::Zero(causes), std::numeric_limits<double>::max()};
-  for (const auto& combination : combinations) {
-    VectorXd left = difference, least(causes), greatest(causes);
-    MatrixXd slopes(difference.size(), causes);
-    for (Index i = 0; i < causes; ++i) {
-      const Segment& segment = *combination[static_cast<std::size_t>(i)];
-      left -= segment.offset;
-      slopes.col(i) = segment.slope;
-      least(i) = segment.least;
-      greatest(i) = segment.greatest;
-    }
-    AmplitudeFit fit = fit_amplitudes(frame.project(left), frame.project(slopes), least, greatest);
+  return choices;
+}
+
+AmplitudeFit fit_choice(const WhitenedFrame& frame, const VectorXd& difference, const std::vector<Segment>& choice) {
+  const Index causes = static_cast<Index>(choice.size());
+  VectorXd left = difference, least(causes), greatest(causes);
+  MatrixXd slopes(difference.size(), causes);
+  for (Index i = 0; i < causes; ++i) {
+    const Segment& segment = choice[static_cast<std::size_t>(i)];
+    left -= segment.offset;
+    slopes.col(i) = segment.slope;
+    least(i) = segment.least;
+    greatest(i) = segment.greatest;
+  }
+  return fit_amplitudes(frame.project(left), frame.project(slopes), least, greatest);
+}
+
+AmplitudeFit refit(const WhitenedFrame& frame, const VectorXd& difference, const Hypothesis& h,
+                   const AmplitudeRange& range) {
+  AmplitudeFit best{VectorXd::Zero(h.directions.cols()), std::numeric_limits<double>::max()};
+  for (const std::vector<Segment>& choice : choices_of(h, range)) {
+    AmplitudeFit fit = fit_choice(frame, difference, choice);
     if (fit.misfit < best.misfit) best = std::move(fit);
   }
   return best;
