@@ -131,3 +131,27 @@ TEST_CASE("a cause that a pair does not need makes no pair") {
   fit.amplitude(1) = -0.3;
   CHECK(both_act(fit));
 }
+
+TEST_CASE("an effect at its detectable amplitude is seen more often than not, one of a third of it seldom") {
+  const toy::World world;
+  const auto gate_of = [&](double amplitude, std::uint64_t draw) {
+    toy::Hidden hidden = toy::nothing(world);
+    hidden.amplitudes(kCause) = amplitude;
+    const Evidence evidence = toy::evidence(world, hidden, draw);
+    const Comparison comparison = compare(evidence, TestUse::fit);
+    const Scatter scatter = scatter_of(comparison, {});
+    GateOptions options;
+    options.draws = 200;
+    return gate(comparison, scatter, calibrate_base(comparison, scatter.covariance, evidence.parameters),
+                evidence.candidates, options);
+  };
+  int seen = 0, faint = 0;
+  for (std::uint64_t draw = 0; draw < 20; ++draw) {
+    const double detectable = gate_of(0.0, draw).detectable(kCause);
+    seen += gate_of(detectable, draw + 50).discrepancy;
+    faint += gate_of(detectable / 3.0, draw + 50).discrepancy;
+  }
+  CAPTURE(seen, faint);
+  CHECK(seen >= 12);
+  CHECK(faint <= 4);
+}
