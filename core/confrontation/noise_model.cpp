@@ -29,12 +29,6 @@ struct Group {
   double errors = 0;
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 /// Eq. (N4): share by which a group's variances are drawn to their median.
 double variance_shrinkage(const Group& group) {
   const double target = median(group.values);
@@ -87,6 +81,12 @@ MatrixXd steadied_correlations(const MatrixXd& rows, const NoiseOptions& options
 }
 
 }  // namespace
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
 
 double correlation_shrinkage(const MatrixXd& rows) {
   const MatrixXd scaled = standardised(rows);

@@ -20,6 +20,9 @@ struct NoiseBlock {
 /// intensities of Schaefer & Strimmer, Eqs. (N4)-(N6); floors come last.
 std::vector<Eigen::MatrixXd> run_covariances(const std::vector<NoiseBlock>& blocks, const NoiseOptions& options);
 
+/// Of at least one value; of an even number the mean of the middle two.
+double median(std::vector<double> values);
+
 /// Share by which each correlation of the rows is drawn to zero, Eq. (N5), 0 to 1.
 double correlation_shrinkage(const Eigen::MatrixXd& rows);
 

@@ -64,15 +64,12 @@ Ratio ratio_of(const Comparison& comparison, const ComparedTest& part, Index i, 
   return ratio;
 }
 
-double median_value(const std::map<int, Ratio>& kinds) {
+double usual_ratio(const std::map<int, Ratio>& kinds) {
   std::vector<double> values;
   for (const auto& [kind, ratio] : kinds) {
     if (ratio.freedom > 0.0) values.push_back(ratio.value());
   }
-  if (values.empty()) return 1.0;
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+  return values.empty() ? 1.0 : median(std::move(values));
 }
 
 /// Eq. (N9). A kind's ratio over all tests, drawn to the kinds' median, which a few kinds that specimens scatter much
@@ -86,7 +83,7 @@ VectorXd specimen_factors(const Comparison& comparison, const std::vector<Matrix
       kinds[comparison.group[static_cast<std::size_t>(part.first + i)]].add(ratio.squares, ratio.freedom);
     }
   }
-  const double usual = median_value(kinds);
+  const double usual = usual_ratio(kinds);
   VectorXd factors(comparison.data.size());
   for (std::size_t t = 0; t < comparison.tests.size(); ++t) {
     const ComparedTest& part = comparison.tests[t];
