@@ -55,13 +55,10 @@ PlainTable pairs_table(const ConfrontationData& data) {
     for (std::size_t i = 0; i < ids.size() && i < amplitudes.size() && i < errors.size(); ++i)
       strengths.push_back(amplitude_words(ids[i].text(), amplitudes[i], errors[i]));
     const bool kept = p["kept"].truth();
-    bool both = true;
-    for (std::size_t i = 0; i < amplitudes.size() && i < errors.size(); ++i)
-      both = both && std::abs(amplitudes[i]) > 2.0 * errors[i];
     const std::string judged = hypothesis_words(p["p_misfit"].number(), p["p_excess"].number());
     table.rows.push_back(
         {{causes_words(p["ids"]), joined(strengths), one_decimal(p["misfit"].number()),
-          kept ? "kept: " + judged : both ? "refuted: " + judged : "no pair: one of the two need not act"},
+          kept ? "kept: " + judged : p["both_act"].truth() ? "refuted: " + judged : "no pair: one of the two need not act"},
          kept ? html::RowTone::good : html::RowTone::quiet});
   }
   return table;

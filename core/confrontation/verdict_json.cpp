@@ -51,6 +51,7 @@ ordered_json pair_json(const Confrontation& c, const HypothesisFit& fit) {
           {"amplitude_errors", numbers(fit.amplitude_error)},
           {"misfit", number(fit.misfit)},
           {"kept", fit.kept},
+          {"both_act", both_act(fit)},
           {"converged", fit.converged},
           {"p_misfit", fit.p_misfit},
           {"p_excess", fit.p_excess}};
