@@ -246,6 +246,13 @@ MatrixXd effect_rows(const Comparison& comparison, Index k, double amplitude) {
   return near * comparison.fingerprint_rows[at] + (amplitude - near) * comparison.beyond_rows[at];
 }
 
+VectorXd bend_of(const Comparison& comparison, Index k, double amplitude) {
+  const double knee = comparison.knee(k), reach = comparison.reach(k);
+  if (!std::isfinite(knee) || amplitude <= 0.0 || amplitude >= reach) return VectorXd::Zero(comparison.data.size());
+  const double way = (amplitude - knee) * (amplitude <= knee ? amplitude : amplitude - reach) / reach;
+  return way * (comparison.beyond.col(k) - comparison.fingerprint.col(k));
+}
+
 VectorXd secant_of(const Comparison& comparison, Index k) {
   return effect_of(comparison, k, comparison.reach(k)) / comparison.reach(k);
 }

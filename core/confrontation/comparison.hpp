@@ -46,6 +46,10 @@ struct Comparison {
 Eigen::VectorXd effect_of(const Comparison& comparison, Eigen::Index candidate, double amplitude);
 Eigen::MatrixXd effect_rows(const Comparison& comparison, Eigen::Index candidate, double amplitude);
 
+/// How far the parabola through a candidate's runs lies from the chords between them, by feature, Eq. (N22); zero
+/// beyond the farthest runs, and where there are no far ones.
+Eigen::VectorXd bend_of(const Comparison& comparison, Eigen::Index candidate, double amplitude);
+
 /// A unit of amplitude on the way to the farthest runs.
 Eigen::VectorXd secant_of(const Comparison& comparison, Eigen::Index candidate);
 

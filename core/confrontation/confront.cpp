@@ -142,8 +142,10 @@ void measure_gains(const ConfrontationTask& task, Confrontation& state, const Hy
 std::vector<Hypothesis> linear_hypotheses(const Confrontation& state, const std::vector<std::vector<Index>>& lists) {
   std::vector<Hypothesis> hypotheses;
   for (const std::vector<Index>& causes : lists) {
-    hypotheses.push_back(held_within(linear_hypothesis(state.fitted, state.base, causes), state.evidence.parameters,
-                                     state.scatter.covariance, state.evidence.candidates));
+    const Eigen::MatrixXd& covariance = state.scatter.covariance;
+    Hypothesis held = held_within(linear_hypothesis(state.fitted, state.base, causes), state.evidence.parameters,
+                                  covariance, state.evidence.candidates);
+    hypotheses.push_back(with_bend(std::move(held), state.fitted, covariance, state.evidence.candidates));
   }
   return hypotheses;
 }

@@ -22,6 +22,9 @@ constexpr std::string_view kShare = "0.03: what counting alone does to a half of
 constexpr std::string_view kLateral = "3 %: a lateral gauge reads a fifth of the axial path";
 constexpr std::string_view kDilation =
     "0.02: two slopes of gauges on the joint, at teeth that wear from the first contact on";
+constexpr std::string_view kBend = "3 %: where a curve leaves its line, by a line of 1 %";
+constexpr std::string_view kLateralPath = "5 %: a lateral gauge at the peak, whose place is less sure than it";
+constexpr std::string_view kFall = "10 %: a fall is as deep as the machine lets it be";
 
 constexpr FeatureRule kUniaxial[] = {
     {"peak_axial_stress_mpa", kLog, 0.01, kOwn, kCell},
@@ -36,19 +39,22 @@ constexpr FeatureRule kUniaxial[] = {
     {"event_share_at_half", kPlain, 0.03, kOwn, kShare},
     {"reload_toe_travel_strain", kPlain, kGauge, kStrain, kLength},
     {"permanent_strain", kPlain, kGauge, kStrain, kLength},
+    {"nonlinearity_stress_mpa", kLog, 0.03, kOwn, kBend},
+    {"peak_lateral_strain", kLog, 0.05, kOwn, kLateralPath},
 };
 
 constexpr FeatureRule kTriaxial[] = {
-    kUniaxial[0],  kUniaxial[1], kUniaxial[2],
-    kUniaxial[3],  kUniaxial[4], kUniaxial[5],
-    kUniaxial[6],  kUniaxial[7], {"residual_axial_stress_mpa", kLog, 0.05, kOwn, kResidual},
-    kUniaxial[8],  kUniaxial[9], kUniaxial[10],
-    kUniaxial[11],
+    kUniaxial[0],  kUniaxial[1],  kUniaxial[2],
+    kUniaxial[3],  kUniaxial[4],  kUniaxial[5],
+    kUniaxial[6],  kUniaxial[7],  {"residual_axial_stress_mpa", kLog, 0.05, kOwn, kResidual},
+    kUniaxial[8],  kUniaxial[9],  kUniaxial[10],
+    kUniaxial[11], kUniaxial[12], kUniaxial[13],
 };
 
 constexpr FeatureRule kDisc[] = {
     {"tensile_strength_mpa", kLog, 0.01, kOwn, kCell},      {"stiffness_n_per_mm2", kLog, 0.01, kOwn, kSlope},
-    {"late_stiffness_ratio", kPlain, 0.02, kOwn, kRatio},   {"toe_travel_mm", kPlain, kGauge, kMm, kLength},
+    {"late_stiffness_ratio", kPlain, 0.02, kOwn, kRatio},   {"nonlinearity_load_n_per_mm", kLog, 0.03, kOwn, kBend},
+    {"toe_travel_mm", kPlain, kGauge, kMm, kLength},        {"drop_share", kPlain, 0.05, kOwn, kDrop},
     {"events_at_peak", kLog, 0.1, kOwn, kEvents},           {"event_share_at_half", kPlain, 0.03, kOwn, kShare},
     {"reload_toe_travel_mm", kPlain, kGauge, kMm, kLength},
 };
@@ -64,6 +70,9 @@ constexpr FeatureRule kJoint[] = {
     {"end_dilation_mm", kPlain, kGauge, kMm, kLength},
     {"dilation_difference_at_peak_mm", kPlain, kGauge, kMm, kLength},
     {"events_at_peak", kLog, 0.1, kOwn, kEvents},
+    {"nonlinearity_stress_mpa", kLog, 0.03, kOwn, kBend},
+    {"largest_drop_mpa", kLog, 0.1, kOwn, kFall},
+    {"peak_dilation_mm", kPlain, kGauge, kMm, kLength},
 };
 
 }  // namespace
