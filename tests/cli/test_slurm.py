@@ -12,6 +12,7 @@ from support import SCRATCH, TINY
 SLURM = {"partition": "test", "memory_mb": 100, "time_limit_min": 10, "poll_interval_s": 0.3, "lost_after_s": 1}
 CAMPAIGN = {"name": "grid", "base": str(TINY), "set": {"/output/frames": 0, "/output/checkpoint_interval_s": 0.05},
             "vary": [{"pointer": "/contacts/cohesion_mpa", "values": [1.5, 2.5]}], "seeds": [1, 2], "slurm": SLURM}
+CONFRONTATION = pathlib.Path(__file__).resolve().parent / "tiny_confrontation.json"
 TABLES = ["curves.csv", "cracks.csv", "energy.csv", "events.csv"]
 ROWS = 200  # of each run's curves.csv
 
@@ -136,6 +137,21 @@ class Slurm(support.CommandLineTest):
         self.assertNotEqual(self.queue(), "")
         self.finish("killed", self.start("killed"))
         self.assertEqual(list((SCRATCH / "killed_store/slurm").iterdir()), [])
+
+    def test_a_confrontation_has_the_verdict_of_this_machine_alone(self):
+        """Without its report: some twenty runs in three batches."""
+        settings = ("--set", f"/slurm={json.dumps(SLURM)}", "--set", '/mechanisms=["frame_compliance"]', "--no-report", "--quiet",
+                    "--set", '/without=["mesh_size","loading_rate","damping","plane_condition"]')
+
+        def confront(name, *more):
+            words = support.command("confront", CONFRONTATION, *settings, "--store", SCRATCH / f"{name}_store", "--out", SCRATCH / name, *more)
+            result = subprocess.run(words, capture_output=True, text=True, timeout=support.SECONDS, cwd=SCRATCH, env=self.cluster.environment)
+            self.assertEqual(result.returncode, 0, result.stderr + self.cluster.logs())
+            return result.stdout
+
+        self.assertIn(" 0 from the bank, 0 from the store,", confront("here", "--jobs", 2))
+        self.assertIn(" 0 from the bank, 0 from the store,", confront("there", "--executor", "slurm"))
+        self.assert_same_bytes(SCRATCH / "there", SCRATCH / "here", ["verdict.json"])
 
     def test_what_slurm_refuses_is_one_clear_error(self):
         result = subprocess.run(support.command(*arguments("refused", "--executor", "slurm", "--set", "/slurm/partition=none")),
