@@ -139,13 +139,17 @@ void measure_gains(const ConfrontationTask& task, Confrontation& state, const Hy
   }
 }
 
+/// A bend moves the fit a little, so the parameters' limits are looked at with and without it.
 std::vector<Hypothesis> linear_hypotheses(const Confrontation& state, const std::vector<std::vector<Index>>& lists) {
+  const Eigen::MatrixXd& covariance = state.scatter.covariance;
+  const std::vector<Candidate>& candidates = state.evidence.candidates;
+  const auto within = [&](Hypothesis h) {
+    return held_within(std::move(h), state.evidence.parameters, covariance, candidates);
+  };
   std::vector<Hypothesis> hypotheses;
   for (const std::vector<Index>& causes : lists) {
-    const Eigen::MatrixXd& covariance = state.scatter.covariance;
-    Hypothesis held = held_within(linear_hypothesis(state.fitted, state.base, causes), state.evidence.parameters,
-                                  covariance, state.evidence.candidates);
-    hypotheses.push_back(with_bend(std::move(held), state.fitted, covariance, state.evidence.candidates));
+    Hypothesis straight = within(linear_hypothesis(state.fitted, state.base, causes));
+    hypotheses.push_back(within(with_bend(std::move(straight), state.fitted, covariance, candidates)));
   }
   return hypotheses;
 }

@@ -124,7 +124,7 @@ MatrixXd slopes_at(const Hypothesis& h, const VectorXd& step) {
   return slopes;
 }
 
-MatrixXd with_bend(const MatrixXd& covariance, const Hypothesis& h) {
+MatrixXd bent_covariance(const MatrixXd& covariance, const Hypothesis& h) {
   MatrixXd own = covariance;
   if (h.bend.size() > 0) own.diagonal() += h.bend.array().square().matrix();
   return own;
@@ -142,7 +142,7 @@ Hypothesis with_bend(Hypothesis h, const Comparison& comparison, const MatrixXd&
 
 HypothesisFit fit_hypothesis(const MatrixXd& covariance, const std::vector<Candidate>& candidates,
                              const Hypothesis& h) {
-  const MatrixXd own = with_bend(covariance, h);
+  const MatrixXd own = bent_covariance(covariance, h);
   const WhitenedFrame frame(own, h.jacobian);
   HypothesisFit fit;
   fit.causes = h.causes;

@@ -53,7 +53,7 @@ Hypothesis with_bend(Hypothesis hypothesis, const Comparison& comparison, const 
                      const std::vector<Candidate>& candidates);
 
 /// A covariance of data less model with what the hypothesis' effects may be off.
-Eigen::MatrixXd with_bend(const Eigen::MatrixXd& covariance, const Hypothesis& hypothesis);
+Eigen::MatrixXd bent_covariance(const Eigen::MatrixXd& covariance, const Hypothesis& hypothesis);
 
 /// Least misfit over its causes' ranges, beyond where it was run. `frame` without what its parameters absorb.
 AmplitudeFit refit(const WhitenedFrame& frame, const Eigen::VectorXd& difference, const Hypothesis& hypothesis,

@@ -50,7 +50,7 @@ void judge_one(const Comparison& comparison, const Scatter& scatter, const BaseF
     for (std::size_t j = 0; j < hypotheses.size(); ++j) {
       const Hypothesis& h = hypotheses[j];
       const VectorXd difference = h.difference - fit.residual + noise.error;
-      const WhitenedFrame frame(with_bend(noise.covariance, h), h.jacobian);
+      const WhitenedFrame frame(bent_covariance(noise.covariance, h), h.jacobian);
       const double misfit = refit(frame, difference, h, candidates).misfit;
       best = std::min(best, misfit);
       if (j == k) own = misfit;
@@ -116,14 +116,14 @@ SecondCause second_cause(const Comparison& comparison, const Scatter& scatter, c
   const MatrixXd slopes = slopes_at(first, step);
   MatrixXd nuisance(slopes.rows(), first.jacobian.cols() + slopes.cols());
   nuisance << first.jacobian, slopes;
-  SecondCause second = strongest(comparison, WhitenedFrame(with_bend(scatter.covariance, first), nuisance),
+  SecondCause second = strongest(comparison, WhitenedFrame(bent_covariance(scatter.covariance, first), nuisance),
                                  first.difference - change_of(first, step), candidates, first);
   if (second.candidate < 0) return second;
   RandomStream random(options.draws.seed, stream_name(first.causes, candidates) + " second");
   std::vector<double> explained;
   for (int d = 0; d < options.draws.draws; ++d) {
     const DrawnNoise noise = drawn_noise(comparison, scatter, base, first, fit, options.draws.noise, random);
-    const WhitenedFrame frame(with_bend(noise.covariance, first), nuisance);
+    const WhitenedFrame frame(bent_covariance(noise.covariance, first), nuisance);
     explained.push_back(strongest(comparison, frame, noise.error, candidates, first).explained);
   }
   second.p = share_above(explained, second.explained);
