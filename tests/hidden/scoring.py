@@ -113,6 +113,9 @@ def gain_summary(rows):
         return None
     changes = [g["elpd_change"] for g in gains]
     shares = [g["rms_z_after"] / g["rms_z_before"] for g in gains]
-    return {"verdicts": len(gains), "mean_elpd_change": statistics.mean(changes), "claimed": sum(g["claimed"] for g in gains),
+    beyond = {f"where_the_base_errs_by_{n}": [s for s, g in zip(shares, gains) if g["rms_z_before"] > n] for n in (2, 3)}
+    return {f"{name}{what}": of for name, some in beyond.items() if some
+            for what, of in (("_verdicts", len(some)), ("_median_error_share", statistics.median(some)))} | {
+            "verdicts": len(gains), "mean_elpd_change": statistics.mean(changes), "claimed": sum(g["claimed"] for g in gains),
             "median_error_share": statistics.median(shares), "halved": sum(share <= 0.5 for share in shares),
             "median_error_before": statistics.median(g["rms_z_before"] for g in gains)}
