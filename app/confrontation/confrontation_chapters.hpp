@@ -28,6 +28,9 @@ Chapter provenance_chapter(const ConfrontationData& data);
 /// Ids of a list in the verdict as "a + b".
 std::string causes_words(const Value& ids);
 
+/// Whether the whole interval of a gain lies below zero.
+bool refuted_by_kept_back(const Value& gain);
+
 /// "peak axial stress [MPa]" of a feature in this test's experiment.
 std::string feature_with_unit(const ConfrontationData& data, const std::string& test, const std::string& feature);
 

@@ -34,16 +34,21 @@ std::string gain_words(const ConfrontationData& data) {
     return "A gain is claimed: with " + causes_words(gain["causes"]) +
            ", refitted on the fitted tests alone, against the recalibrated base, " + numbers +
            ". The whole interval lies above zero.";
-  return "No gain is claimed: with " + causes_words(gain["causes"]) + ", " + numbers +
-         ". The interval does not lie above zero.";
+  const std::string where = refuted_by_kept_back(gain)
+                                ? ". The whole interval lies below zero: the kept-back tests refute this extension."
+                                : ". The interval does not lie above zero.";
+  return "No gain is claimed: with " + causes_words(gain["causes"]) + ", " + numbers + where;
 }
 
 void add_rival(const Value& gain, const std::string& what, PlainTable& table) {
   const bool claimed = gain["claimed"].truth();
-  table.rows.push_back({{causes_words(gain["causes"]), what, figures(gain["elpd_change"].number()),
-                         interval_words(gain), figures(gain["rms_z_before"].number(), 2),
-                         figures(gain["rms_z_after"].number(), 2), claimed ? "above zero" : "not above zero"},
-                        claimed ? html::RowTone::good : html::RowTone::quiet});
+  table.rows.push_back(
+      {{causes_words(gain["causes"]), what, figures(gain["elpd_change"].number()), interval_words(gain),
+        figures(gain["rms_z_before"].number(), 2), figures(gain["rms_z_after"].number(), 2),
+        claimed                      ? "above zero"
+        : refuted_by_kept_back(gain) ? "below zero"
+                                     : "not above zero"},
+       claimed ? html::RowTone::good : html::RowTone::quiet});
 }
 
 PlainTable rivals_table(const Value& gain) {

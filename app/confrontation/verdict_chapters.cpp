@@ -103,6 +103,21 @@ std::vector<Note> extrapolations(const ConfrontationData& data) {
   return notes;
 }
 
+/// Kept causes whose runs have no peak where the base's have one.
+std::vector<Note> causes_without_peak(const ConfrontationData& data) {
+  std::vector<Note> notes;
+  for (const Value& entry : data.verdict["short_runs"].items()) {
+    notes.push_back(
+        {html::NoticeKind::warning,
+         fmt::format("With {} the runs of {} end before their peak, or have none: {} of {} give {}, of the "
+                     "base's {}. The run's end and not the rock may make it fit: let these runs go further "
+                     "before it is believed.",
+                     causes_words(entry["causes"]), entry["test"].text(), entry["extension"].count(),
+                     entry["meshes"].count(), feature_words(entry["feature"].text()), entry["base"].count())});
+  }
+  return notes;
+}
+
 std::vector<std::string> named_sentences(const ConfrontationData& data) {
   std::vector<std::string> sentences;
   const std::string status = data.verdict["status"].text();
@@ -123,6 +138,14 @@ std::vector<std::string> named_sentences(const ConfrontationData& data) {
     sentences.push_back("One mechanism of the library explains it, all others are refuted: " + cause_words(data, id) +
                         ".");
   return sentences;
+}
+
+std::string gain_sentence(const Value& gain) {
+  if (gain["claimed"].truth())
+    return "The extended model predicts the tests that were kept back better; the gain stands below.";
+  if (refuted_by_kept_back(gain))
+    return "The tests that were kept back refute the extended model: it predicts them worse than the base.";
+  return "No gain on the tests that were kept back is claimed.";
 }
 
 Chapter titled(const std::string& title) { return {title, {}}; }
@@ -199,6 +222,11 @@ std::string causes_words(const Value& ids) {
   return text;
 }
 
+bool refuted_by_kept_back(const Value& gain) {
+  const std::vector<double> interval = gain["elpd_interval_90"].numbers();
+  return interval.size() == 2 && interval[1] < 0.0;
+}
+
 std::vector<Note> verdict_alarms(const ConfrontationData& data) {
   std::vector<Note> notes;
   for (const Value& alarm : data.verdict["gate"]["alarms"].items())
@@ -215,6 +243,7 @@ std::vector<Note> verdict_alarms(const ConfrontationData& data) {
   for (const Note& note : silent_tests(data)) notes.push_back(note);
   for (const Note& note : limits(data)) notes.push_back(note);
   for (const Note& note : extrapolations(data)) notes.push_back(note);
+  for (const Note& note : causes_without_peak(data)) notes.push_back(note);
   return notes;
 }
 
@@ -240,11 +269,7 @@ Chapter verdict_chapter(const ConfrontationData& data) {
   Chapter chapter = titled("Verdict");
   for (const std::string& sentence : verdict_sentences(data)) chapter.blocks.emplace_back(Paragraph{sentence});
   const Value gain = data.verdict["gain"];
-  if (gain["elpd_change"].exists())
-    chapter.blocks.emplace_back(Paragraph{gain["claimed"].truth()
-                                              ? "The extended model predicts the tests that were kept back better; the "
-                                                "gain stands below."
-                                              : "No gain on the tests that were kept back is claimed."});
+  if (gain["elpd_change"].exists()) chapter.blocks.emplace_back(Paragraph{gain_sentence(gain)});
   chapter.blocks.emplace_back(Entries{{{"Fitted tests", tests_words(data, false)},
                                        {"Tests kept back", tests_words(data, true)},
                                        {"Candidates", std::to_string(data.candidates.size()) + " mechanisms"}}});

@@ -68,18 +68,6 @@ int group_number(std::vector<const FeatureKind*>& kinds, const FeatureKind* kind
   return static_cast<int>(kinds.size()) - 1;
 }
 
-/// Rows less their mean; a missing value stands for none, and the others' spread is raised for it.
-VectorXd centred(const VectorXd& column) {
-  const Column c = finite_values(column);
-  VectorXd rows = VectorXd::Zero(column.size());
-  if (c.values.empty()) return rows;
-  const double raise = std::sqrt(1.0 / share_of(c, column.size()));
-  for (Index r = 0; r < column.size(); ++r) {
-    if (std::isfinite(column(r))) rows(r) = raise * (column(r) - c.mean);
-  }
-  return rows;
-}
-
 void choose_slots(const Evidence& evidence, TestUse use, Comparison& comparison) {
   std::vector<const FeatureKind*> kinds;
   for (const TestEvidence& test : evidence.tests) {
@@ -225,6 +213,17 @@ void take_candidates(const Evidence& evidence, Comparison& comparison) {
 }
 
 }  // namespace
+
+VectorXd centred(const VectorXd& column) {
+  const Column c = finite_values(column);
+  VectorXd rows = VectorXd::Zero(column.size());
+  if (c.values.empty()) return rows;
+  const double raise = std::sqrt(1.0 / share_of(c, column.size()));
+  for (Index r = 0; r < column.size(); ++r) {
+    if (std::isfinite(column(r))) rows(r) = raise * (column(r) - c.mean);
+  }
+  return rows;
+}
 
 Comparison compare(const Evidence& evidence, TestUse use) {
   Comparison comparison;

@@ -53,6 +53,9 @@ Eigen::VectorXd bend_of(const Comparison& comparison, Eigen::Index candidate, do
 /// A unit of amplitude on the way to the farthest runs.
 Eigen::VectorXd secant_of(const Comparison& comparison, Eigen::Index candidate);
 
+/// Rows less their mean; a missing value stands for none, and the others' spread is raised for it.
+Eigen::VectorXd centred(const Eigen::VectorXd& column);
+
 /// Compares the tests of one use. A slot is left out where fewer than half of the specimens, or three quarters of the
 /// base's runs, or half of a parameter's runs give a value, or where nothing scatters.
 Comparison compare(const Evidence& evidence, TestUse use);

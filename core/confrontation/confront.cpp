@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/confrontation/extension_refit.hpp"
 #include "core/confrontation/extension_runs.hpp"
+#include "core/confrontation/short_runs.hpp"
 
 namespace asperity {
 namespace {
@@ -139,6 +140,12 @@ void measure_gains(const ConfrontationTask& task, Confrontation& state, const Hy
   }
 }
 
+void look_for_short_runs(const ConfrontationTask& task, Confrontation& state) {
+  for (const HypothesisFit& fit : state.conclusion.kept) {
+    for (ShortRuns& found : short_runs(task, state, fit)) state.short_runs.push_back(std::move(found));
+  }
+}
+
 /// A bend moves the fit a little, so the parameters' limits are looked at with and without it.
 std::vector<Hypothesis> linear_hypotheses(const Confrontation& state, const std::vector<std::vector<Index>>& lists) {
   const Eigen::MatrixXd& covariance = state.scatter.covariance;
@@ -171,6 +178,7 @@ Confrontation confront(ConfrontationTask task) {
       conclude(state.fitted, state.scatter, state.base, state.gate, state.evidence.candidates, make, task.options);
   state.residuals = feature_residuals(state.fitted, state.scatter, state.base, state.evidence.parameters);
   measure_gains(task, state, make);
+  if (by_runs) look_for_short_runs(task, state);
   return state;
 }
 

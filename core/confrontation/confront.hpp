@@ -17,6 +17,15 @@ enum class LinearisedAt {
   reference    ///< At the configuration's parameters, about which calibration is quadratic.
 };
 
+/// A feature that the base's runs of a test give and an extension's do not: most often they end before their peak, so
+/// that what they bear until then, or the base's effects alone, stand in its place.
+struct ShortRuns {
+  std::vector<Eigen::Index> causes;  ///< Candidates' numbers.
+  std::string test, feature;
+  Eigen::Index base = 0, extension = 0;  ///< Runs that give it ...
+  Eigen::Index meshes = 0;               ///< ... of so many, on the same meshes.
+};
+
 /// What is confronted: evidence with its slots and measured samples, and how its runs are made.
 struct ConfrontationTask {
   Evidence evidence;
@@ -47,6 +56,7 @@ struct Confrontation {
   std::vector<FeatureResidual> residuals;
   std::vector<ExtensionGain> extensions;  ///< Of what is kept, the best first.
   std::vector<ExtensionGain> decoys;      ///< The best that are not kept, two at most.
+  std::vector<ShortRuns> short_runs;      ///< Of what is kept.
 };
 
 /// Carries a confrontation through, steps 1 to 9. Throws what the runs throw.

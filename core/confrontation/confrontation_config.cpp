@@ -86,6 +86,7 @@ ConfrontationConfig read_keys(const fs::path& path, json document) {
   config.linearise_at =
       document.value("linearise_at", "calibrated") == "reference" ? LineariseAt::reference : LineariseAt::calibrated;
   config.draws = document.value("draws", config.draws);
+  config.alarm_level = document.value("alarm_level", config.alarm_level);
   config.seed = document.value("seed", config.seed);
   if (document.contains("bank")) config.bank = beside(path, document.at("bank").get<std::string>());
   config.slurm = slurm_section(document);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -170,10 +172,17 @@ VerdictContext verdict_context(const ConfrontationConfig& config, const Confront
     context.notes.push_back("parameter " + name + " acts in none of the tests and was left out");
   for (const HypothesisFit& fit : confrontation.conclusion.kept) {
     if (!fit.converged)
-      context.notes.push_back("the refit of " + causes_text(confrontation, fit) +
+      context.notes.push_back("the refit of " + causes_text(confrontation, fit.causes) +
                               " did not converge: amplitude and misfit are its best run's, and a linear fit from "
                               "there still promises more; what counts is its gain on kept-back tests");
   }
+  for (const ShortRuns& s : confrontation.short_runs)
+    context.notes.push_back(fmt::format(
+        "with {} the runs of {} end before their peak, or have none: {} of {} give {}, of the base's {}. What they "
+        "bear "
+        "until then, or the base's effects alone, stand in its place. Let them go further (/tests/{}/set with "
+        "/experiment/stop and /measurement/peak_strain_limit) before this cause is believed",
+        causes_text(confrontation, s.causes), s.test, s.extension, s.meshes, s.feature, s.base, s.test));
   context.data_sha256 = sha256_hex(data_numbers(config.measured).dump());
   context.frozen_sha256 = sha256_hex(frozen(config, task).dump());
   return context;

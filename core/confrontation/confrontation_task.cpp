@@ -214,6 +214,7 @@ ConfrontationTask confrontation_task(const ConfrontationConfig& config, Features
   task.common = config.meshes.common;
   task.screen = std::min(config.meshes.screen, config.meshes.common);
   task.options.draws.draws = static_cast<int>(config.draws);
+  task.options.draws.explained_level = config.alarm_level;
   task.options.draws.seed = config.seed;
   task.configure = [runs, config](const VirtualSpecimen& specimen) {
     return configured_if_legal((*runs)[specimen.test], config.parameters, theta_at(config, specimen.coded),

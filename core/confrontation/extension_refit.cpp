@@ -105,12 +105,14 @@ Hypothesis wanted(const Refit& refit, const Hypothesis& from, double radius) {
   return to;
 }
 
-/// The difference where the hypothesis stands, by runs; `otherwise` where they tell nothing.
-VectorXd difference_there(const Refit& refit, const Hypothesis& h, std::size_t meshes, const VectorXd& otherwise) {
+/// Runs the hypothesis where it stands: its difference becomes theirs where they tell one.
+void run_there(const Refit& refit, std::size_t meshes, Hypothesis& h) {
   const Comparison& fitted = refit.state.fitted;
   const VectorXd less_model = fitted.data - fitted.model;
-  return less_model - mean_change(refit.task, refit.state, fitted, {h.causes, h.coded, h.amplitude}, meshes,
-                                  extension_stage(refit.state.evidence, h.causes), less_model - otherwise);
+  RunChange change = change_by_runs(refit.task, refit.state, fitted, {h.causes, h.coded, h.amplitude}, meshes,
+                                    extension_stage(refit.state.evidence, h.causes), less_model - h.difference);
+  h.difference = less_model - change.mean;
+  h.run_rows = std::move(change.rows);
 }
 
 /// Broyden's update: the effects along the step are what two runs showed.
@@ -131,7 +133,7 @@ void descend(const Refit& refit, std::size_t meshes, int most_points, Hypothesis
     const Step step = step_between(best, tried);
     const double promised = refit.misfit(best) - refit.misfit(tried);
     if (best.converged || i == most_points || promised < kSmallGain) return;
-    tried.difference = difference_there(refit, tried, meshes, tried.difference);
+    run_there(refit, meshes, tried);
     const double share = (refit.misfit(best) - refit.misfit(tried)) / promised;
     learn(best, step, tried.difference);
     if (share < kPoorShare) radius = 0.5 * std::min(radius, step.size());
@@ -153,15 +155,18 @@ void difference_effects(const Refit& refit, Hypothesis& h) {
   constexpr double kNoRoom = 1e-3;
   const std::size_t meshes = refit.task.screen;
   const Reach reach = reach_of(refit.state.evidence, h, kAnyRadius);
-  const VectorXd here = difference_there(refit, h, meshes, h.difference);
+  Hypothesis there = h;
+  run_there(refit, meshes, there);
+  const VectorXd& here = there.difference;
   const auto effect = [&](Index i, double step, double& coordinate, Hypothesis& moved, const VectorXd& before) {
     const double by = difference_step(reach.least(i), reach.greatest(i), step);
     const double from = coordinate;
     coordinate += by;
     keep_within(refit.state.evidence, moved);
     if (std::abs(coordinate - from) < kNoRoom) return before;
-    const VectorXd otherwise = here - before * (coordinate - from);
-    return VectorXd((here - difference_there(refit, moved, meshes, otherwise)) / (coordinate - from));
+    moved.difference = here - before * (coordinate - from);
+    run_there(refit, meshes, moved);
+    return VectorXd((here - moved.difference) / (coordinate - from));
   };
   for (Index p = 0; p < h.coded.size(); ++p) {
     Hypothesis moved = h;
@@ -213,7 +218,7 @@ std::vector<Hypothesis> hypotheses_by_runs(const ConfrontationTask& task, const 
   }
   for (Hypothesis& h : hypotheses) {
     if (refit.misfit(h) < best + kNear) {
-      h.difference = difference_there(refit, h, task.plan.noise, h.difference);
+      run_there(refit, task.plan.noise, h);
       descend(refit, task.plan.noise, kMostLastPoints, h);
     }
     hold_ends(state.evidence.parameters, h);

@@ -24,15 +24,14 @@ std::vector<MechanismAmplitude> acting(const ConfrontationTask& task, const Evid
   return mechanisms;
 }
 
-/// Mean of the finite ones; `otherwise` where there are fewer than two.
-double finite_mean(const VectorXd& values, double otherwise) {
+double finite_mean(const VectorXd& values) {
   double sum = 0.0, count = 0.0;
   for (const double v : values) {
     if (!std::isfinite(v)) continue;
     sum += v;
     count += 1.0;
   }
-  return count >= 2.0 ? sum / count : otherwise;
+  return sum / count;
 }
 
 /// One standard error along each axis of the fit's covariance, as a point of a run; towards the other side where an end
@@ -73,22 +72,31 @@ ExtensionPoint point_of_run(const Evidence& evidence, ExtensionPoint point) {
   return point;
 }
 
-VectorXd mean_change(const ConfrontationTask& task, const Confrontation& state, const Comparison& comparison,
-                     const ExtensionPoint& point, std::size_t meshes, const std::string& stage,
-                     const VectorXd& otherwise) {
-  VectorXd change = otherwise;
+std::vector<VirtualSpecimen> extension_specimens(const ConfrontationTask& task, const Confrontation& state,
+                                                 std::size_t test, const ExtensionPoint& point, Index meshes) {
+  std::vector<VirtualSpecimen> specimens;
+  for (Index row = 0; row < meshes; ++row) {
+    specimens.push_back({test, state.centre + point.coded, acting(task, state.evidence, test, point),
+                         mesh_seed(task.plan, state.evidence.tests[test], static_cast<std::size_t>(row))});
+  }
+  return specimens;
+}
+
+RunChange change_by_runs(const ConfrontationTask& task, const Confrontation& state, const Comparison& comparison,
+                         const ExtensionPoint& point, std::size_t meshes, const std::string& stage,
+                         const VectorXd& otherwise) {
+  RunChange change{otherwise, MatrixXd::Zero(static_cast<Index>(meshes), otherwise.size())};
   for (const ComparedTest& part : comparison.tests) {
     const auto t = static_cast<std::size_t>(part.test - state.evidence.tests.data());
     const Index rows = std::min<Index>(static_cast<Index>(meshes), part.test->base.rows());
-    std::vector<VirtualSpecimen> specimens;
-    for (Index row = 0; row < rows; ++row) {
-      specimens.push_back({t, state.centre + point.coded, acting(task, state.evidence, t, point),
-                           mesh_seed(task.plan, *part.test, static_cast<std::size_t>(row))});
-    }
-    const Samples runs = simulate_specimens(*part.test, specimens, stage, task.configure, task.features);
+    const Samples runs = simulate_specimens(*part.test, extension_specimens(task, state, t, point, rows), stage,
+                                            task.configure, task.features);
     for (std::size_t i = 0; i < part.columns.size(); ++i) {
-      double& mean = change(part.first + static_cast<Index>(i));
-      mean = finite_mean(runs.col(part.columns[i]) - part.test->base.col(part.columns[i]).head(rows), mean);
+      const Index column = part.columns[i], at = part.first + static_cast<Index>(i);
+      const VectorXd differences = runs.col(column) - part.test->base.col(column).head(rows);
+      if (differences.array().isFinite().count() < 2) continue;
+      change.mean(at) = finite_mean(differences);
+      change.rows.col(at).head(rows) = centred(differences);
     }
   }
   return change;
@@ -108,11 +116,11 @@ FeaturePrediction predict_by_runs(const ConfrontationTask& task, const Confronta
   const ExtensionPoint at = point_of_run(state.evidence, {fit.causes, fit.coded, fit.amplitude});
   const std::string stage = extension_stage(state.evidence, fit.causes) + " on kept-back tests";
   const VectorXd linear = predict_extension(kept_back, state.kept_back_scatter, fit).mean - kept_back.model;
-  const VectorXd change = mean_change(task, state, kept_back, at, task.plan.fresh, stage, linear);
-  const VectorXd common = mean_change(task, state, kept_back, at, task.common, stage, change);
+  const VectorXd change = change_by_runs(task, state, kept_back, at, task.plan.fresh, stage, linear).mean;
+  const VectorXd common = change_by_runs(task, state, kept_back, at, task.common, stage, change).mean;
   FeaturePrediction prediction{kept_back.model + change, state.kept_back_scatter.covariance};
   for (const ExtensionPoint& point : displaced_points(state.evidence, at, fit.covariance)) {
-    const VectorXd moved = mean_change(task, state, kept_back, point, task.common, stage, common) - common;
+    const VectorXd moved = change_by_runs(task, state, kept_back, point, task.common, stage, common).mean - common;
     prediction.covariance += moved * moved.transpose();
   }
   return prediction;

@@ -15,11 +15,20 @@ struct ExtensionPoint {
 /// The point within the candidates' and parameters' ranges, its amplitudes such as a run can have.
 ExtensionPoint point_of_run(const Evidence& evidence, ExtensionPoint point);
 
-/// Mean change of the compared slots against the base over the first `meshes` of each test's; `otherwise` where fewer
-/// than two meshes give a value.
-Eigen::VectorXd mean_change(const ConfrontationTask& task, const Confrontation& state, const Comparison& comparison,
-                            const ExtensionPoint& point, std::size_t meshes, const std::string& stage,
-                            const Eigen::VectorXd& otherwise);
+/// An extension's specimens of one test, by its number, on the first `meshes` of the test's.
+std::vector<VirtualSpecimen> extension_specimens(const ConfrontationTask& task, const Confrontation& state,
+                                                 std::size_t test, const ExtensionPoint& point, Eigen::Index meshes);
+
+/// What an extension's runs change in the compared slots against the base's on the same meshes.
+struct RunChange {
+  Eigen::VectorXd mean;
+  Eigen::MatrixXd rows;  ///< Meshes by slots, less their mean.
+};
+
+/// Over the first `meshes` of each test's; `otherwise` where fewer than two give a value.
+RunChange change_by_runs(const ConfrontationTask& task, const Confrontation& state, const Comparison& comparison,
+                         const ExtensionPoint& point, std::size_t meshes, const std::string& stage,
+                         const Eigen::VectorXd& otherwise);
 
 /// "extension a + b"
 std::string extension_stage(const Evidence& evidence, const std::vector<Eigen::Index>& causes);

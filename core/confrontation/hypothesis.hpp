@@ -17,6 +17,7 @@ struct Hypothesis {
   Eigen::MatrixXd beyond;            ///< ... and from the knee on; Eq. (N21).
   Eigen::VectorXd knee;              ///< By cause: further amplitude from which on; empty: none has one.
   Eigen::VectorXd bend;              ///< What the causes' effects may be off between their runs, Eq. (N22); or empty.
+  Eigen::MatrixXd run_rows;          ///< By runs: their changes against the base, meshes by slots, less their mean.
   bool by_runs = false;              ///< It was run where it fits best: a refit of the data stays there.
   bool converged = true;             ///< False: a linear fit from there still gains more than runs have shown.
 };

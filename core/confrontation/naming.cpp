@@ -13,7 +13,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Noise of one repetition with the errors of the parameters' and the causes' effects.
+/// Noise of one repetition with the errors of the parameters' and the causes' effects; of a hypothesis by runs with
+/// that of its own runs.
 struct DrawnNoise {
   VectorXd error;
   MatrixXd covariance;
@@ -24,7 +25,8 @@ DrawnNoise drawn_noise(const Comparison& comparison, const Scatter& scatter, con
                        RandomStream& random) {
   Repetition again = repeat(comparison, scatter, options, random);
   VectorXd error = again.difference + drawn_parameter_error(comparison, base, random);
-  for (std::size_t i = 0; i < fit.causes.size(); ++i) {
+  if (hypothesis.by_runs) error += drawn_error(comparison, hypothesis.run_rows, random);
+  for (std::size_t i = 0; i < fit.causes.size() && !hypothesis.by_runs; ++i) {
     const MatrixXd rows = effect_rows(comparison, fit.causes[i], fit.amplitude(static_cast<Index>(i)));
     error += drawn_error(comparison, rows, random);
   }

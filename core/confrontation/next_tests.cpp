@@ -159,7 +159,7 @@ std::vector<NextTest> next_tests(const ConfrontationConfig& config, const Confro
         const double probability = 0.5 * std::erfc(-0.5 * d / std::numbers::sqrt2);
         tests.push_back({design.design->id,
                          design.design->description,
-                         {causes_text(c, c.conclusion.kept[k]), causes_text(c, c.conclusion.kept[l])},
+                         {causes_text(c, c.conclusion.kept[k].causes), causes_text(c, c.conclusion.kept[l].causes)},
                          d,
                          probability});
       }

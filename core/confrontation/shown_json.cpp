@@ -145,6 +145,7 @@ ordered_json setting_json(const ConfrontationConfig& config) {
             {"screen", config.meshes.screen},
             {"fresh", config.meshes.fresh}}},
           {"draws", config.draws},
+          {"alarm_level", config.alarm_level},
           {"bank", config.bank ? ordered_json(config.bank->filename().string()) : ordered_json(nullptr)}};
 }
 

@@ -24,9 +24,9 @@ ordered_json numbers(const Eigen::VectorXd& values) {
   return list;
 }
 
-ordered_json ids(const Confrontation& c, const HypothesisFit& fit) {
+ordered_json ids(const Confrontation& c, const std::vector<Index>& causes) {
   ordered_json list = ordered_json::array();
-  for (const Index k : fit.causes) list.push_back(candidate(c, k).id);
+  for (const Index k : causes) list.push_back(candidate(c, k).id);
   return list;
 }
 
@@ -46,7 +46,7 @@ ordered_json single_json(const Confrontation& c, const HypothesisFit& fit) {
 }
 
 ordered_json pair_json(const Confrontation& c, const HypothesisFit& fit) {
-  return {{"ids", ids(c, fit)},
+  return {{"ids", ids(c, fit.causes)},
           {"amplitudes", numbers(fit.amplitude)},
           {"amplitude_errors", numbers(fit.amplitude_error)},
           {"misfit", number(fit.misfit)},
@@ -105,7 +105,7 @@ ordered_json gains_json(const Confrontation& c) {
     ordered_json list = ordered_json::array();
     for (std::size_t i = first; i < extensions.size(); ++i) {
       if (!extensions[i].gain) continue;
-      ordered_json entry = {{"causes", ids(c, extensions[i].fit)}};
+      ordered_json entry = {{"causes", ids(c, extensions[i].fit.causes)}};
       entry.update(gain_json(*extensions[i].gain));
       entry.erase("features");
       list.push_back(std::move(entry));
@@ -115,7 +115,7 @@ ordered_json gains_json(const Confrontation& c) {
   if (!c.extensions.empty()) {
     const ExtensionGain& best = c.extensions.front();
     if (best.gain) json.update(gain_json(*best.gain));
-    json["causes"] = ids(c, best.fit);
+    json["causes"] = ids(c, best.fit.causes);
   }
   json["others"] = listed(c.extensions, 1);
   json["decoys"] = listed(c.decoys, 0);
@@ -183,6 +183,19 @@ ordered_json next_json(const VerdictContext& context) {
   return list;
 }
 
+ordered_json short_runs_json(const Confrontation& c) {
+  ordered_json list = ordered_json::array();
+  for (const ShortRuns& s : c.short_runs) {
+    list.push_back({{"causes", ids(c, s.causes)},
+                    {"test", s.test},
+                    {"feature", s.feature},
+                    {"base", s.base},
+                    {"extension", s.extension},
+                    {"meshes", s.meshes}});
+  }
+  return list;
+}
+
 ordered_json dropped_json(const Confrontation& c) {
   ordered_json list = ordered_json::array();
   for (const DroppedSlot& d : c.fitted.dropped)
@@ -192,9 +205,9 @@ ordered_json dropped_json(const Confrontation& c) {
 
 }  // namespace
 
-std::string causes_text(const Confrontation& c, const HypothesisFit& fit) {
+std::string causes_text(const Confrontation& c, const std::vector<Index>& causes) {
   std::string text;
-  for (const Index k : fit.causes) text += (text.empty() ? "" : " + ") + candidate(c, k).id;
+  for (const Index k : causes) text += (text.empty() ? "" : " + ") + candidate(c, k).id;
   return text;
 }
 
@@ -231,6 +244,7 @@ ordered_json verdict_json(const Confrontation& c, const VerdictContext& context)
                        {"gain", gains_json(c)},
                        {"next_tests", next_json(context)},
                        {"left_out", dropped_json(c)},
+                       {"short_runs", short_runs_json(c)},
                        {"notes", context.notes}};
   json["extended_config"] =
       context.extended_config.empty() ? ordered_json(nullptr) : ordered_json(context.extended_config);

@@ -39,6 +39,6 @@ nlohmann::ordered_json verdict_json(const Confrontation& confrontation, const Ve
 std::vector<std::string> verdict_causes(const Confrontation& confrontation);
 
 /// Ids of a fit's causes, joined by " + ".
-std::string causes_text(const Confrontation& confrontation, const HypothesisFit& fit);
+std::string causes_text(const Confrontation& confrontation, const std::vector<Eigen::Index>& causes);
 
 }  // namespace asperity

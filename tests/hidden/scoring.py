@@ -36,6 +36,41 @@ def judge(truth, verdict):
     }
 
 
+ALARM_LEVELS = (0.01, 0.02, 0.03, 0.05)
+MISFIT_LEVEL = 1e-4  # of the whole misfit, whatever the alarm level
+
+
+def gate_of(verdict):
+    """The probabilities by which a verdict's gate decides."""
+    return {name: verdict["gate"][name] for name in ("p_explained", "p_misfit")}
+
+
+def at_alarm_level(row, level):
+    """The row as a smaller level would have had it: beyond the gate a verdict does not depend on it."""
+    if row["p_explained"] < level or row["p_misfit"] < MISFIT_LEVEL:
+        return row
+    return row | {"status": "nothing_found", "causes": []} | {key: False for key, _ in RATES.values()}
+
+
+def by_alarm_level(rows):
+    """Alarms and names where nothing is hidden, and what becomes of effects, by the gate's level up to the one that was run."""
+    seen = {}
+    for level in ALARM_LEVELS:
+        at = [at_alarm_level(row, level) for row in rows]
+        if any(a["detected"] != row["detected"] for a, row in zip(at, rows)) or level == ALARM_LEVELS[0]:
+            seen[f"{level:g}"] = at
+    seen["run"] = rows
+    return {level: {"alarms on null data": rate(at, "detected", lambda r: r["kind"] == "null"),
+                    "names on null data": rate(at, "wrong_single", lambda r: r["kind"] == "null"),
+                    "detected": rate(at, "detected", is_effect),
+                    "truth in the set": rate(at, "in_set", lambda r: is_effect(r) and r["detected"]),
+                    "wrong single name": rate(at, "wrong_single", lambda r: is_effect(r) and r["detected"])} for level, at in seen.items()}
+
+
+def is_effect(row):
+    return row["kind"] not in ("null", "outside")
+
+
 def binomial_tail(successes, trials, p):
     """P(X >= successes)."""
     return sum(math.comb(trials, k) * p**k * (1 - p) ** (trials - k) for k in range(successes, trials + 1))

@@ -38,6 +38,7 @@ def options(arguments):
     parser.add_argument("--specimens", type=int, default=6)
     parser.add_argument("--blocks", type=int, default=3, help="blocks of rock an effect is in; eight times as many without one")
     parser.add_argument("--meshes", type=int, default=8, help="specimens of a test of a block, from which data sets take theirs")
+    parser.add_argument("--alarm-level", type=float, help="of the confrontations; default theirs. Rates are told for each smaller one, too")
     parser.add_argument("--seed", help="default: drawn")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--pool", type=pathlib.Path)
@@ -84,15 +85,15 @@ def all_sets(o, acts_in):
     return sets
 
 
-def run_set(base, pool, confronter, plan, draw, work):
+def run_set(base, pool, confronter, plan, draw, work, settings):
     """Writes a data set, seals its truth, confronts, and opens the seal."""
     shutil.rmtree(work, ignore_errors=True)
     sealed = work / "sealed" / "truth.json"
     sha256 = dataset.seal(dataset.truth_of(base, plan, draw), sealed)
     measured = dataset.write_set(base, plan, draw, pool, work / "data")
-    verdict = confronter.verdict(measured, work / "verdict", plan.suite)
+    verdict = confronter.verdict(measured, work / "verdict", plan.suite, settings)
     truth = dataset.open_seal(sealed, sha256, work / "verdict" / "verdict.json")
-    return {"sealed_sha256": sha256, **scoring.judge(truth, verdict), "gain": verdict.get("gain"),
+    return {"sealed_sha256": sha256, **scoring.judge(truth, verdict), **scoring.gate_of(verdict), "gain": verdict.get("gain"),
             "detectable_amplitude": verdict.get("detectable_amplitude"), "truth": truth}
 
 
@@ -108,6 +109,7 @@ def summary(o, rows, decoys):
             "kinds": {kind: scoring.rates(of) for kind, of in by(rows, "kind").items()},
             "cases": {case: scoring.rates(of) for case, of in by(rows, "case").items()},
             "gain": {kind: scoring.gain_summary(of) for kind, of in by(rows, "kind").items()},
+            "alarm_levels": scoring.by_alarm_level(rows),
             "decoys_named": {d: sum(d in r["causes"] for r in rows) for d in decoys},
             "confusion": scoring.confusion(rows)}
 
@@ -117,6 +119,8 @@ def table(found):
     for part in ("kinds", "cases"):
         for name, rates in found[part].items():
             lines.append(f"{name:32}" + "".join(f"  {rate}: {scoring.rate_text(r)}" for rate, r in rates.items() if r["of"]))
+    for level, rates in found["alarm_levels"].items():
+        lines.append(f"alarm level {level:20}" + "".join(f"  {rate}: {scoring.rate_text(r)}" for rate, r in rates.items() if r["of"]))
     for kind, gain in found["gain"].items():
         if gain:
             lines.append(f"gain, {kind:26}" + "".join(f"  {name}: {value:.3g}" for name, value in gain.items()))
@@ -135,10 +139,11 @@ def run_series(o, base, pool, acts_in, out):
     rows_path = out / "rows.jsonl"
     rows = [json.loads(line) for line in rows_path.read_text().splitlines()] if rows_path.exists() else []
     sets = all_sets(o, acts_in)
+    settings = [("/alarm_level", o.alarm_level)] if o.alarm_level else []
 
     def row_of(index):
         name, kind, plan, draw = sets[index]
-        return {"case": name, "kind": kind, **run_set(base, pool, confronter, plan, draw, out / f"set_{index:05}")}
+        return {"case": name, "kind": kind, **run_set(base, pool, confronter, plan, draw, out / f"set_{index:05}", settings)}
 
     def keep(row):
         rows.append(row)

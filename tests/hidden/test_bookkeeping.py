@@ -126,6 +126,23 @@ class Scoring(unittest.TestCase):
         self.assertEqual([row[:3] for row in matrix["counts"]], [[0, 1, 0], [0, 2, 1], [0, 0, 0]])
         self.assertEqual(sum(map(sum, matrix["counts"])), 7)
 
+    def test_rates_at_a_smaller_alarm_level_are_those_of_verdicts_beyond_its_gate(self):
+        def row(kind, hidden, found, p_explained, p_misfit=0.5):
+            return {"kind": kind, "case": kind, "p_explained": p_explained, "p_misfit": p_misfit, **scoring.judge(hidden, found)}
+        seating = truth("seating")
+        rows = [row("null", truth(), verdict("named", "damping"), 0.04), row("null", truth(), verdict("unexplained"), 0.3, 1e-5),
+                row("null", truth(), verdict("nothing_found"), 0.6), row("amplitude 1", seating, verdict("named", "seating"), 0.002),
+                row("amplitude 1", seating, verdict("named", "damping"), 0.025), row("outside", truth(), verdict("unexplained"), 0.002)]
+        found = scoring.by_alarm_level(rows)
+        count = {level: {name: (r["count"], r["of"]) for name, r in rates.items()} for level, rates in found.items()}
+        self.assertEqual(count["0.01"], {"alarms on null data": (1, 3), "names on null data": (0, 3), "detected": (1, 2),
+                                         "truth in the set": (1, 1), "wrong single name": (0, 1)})
+        self.assertEqual(count["0.03"]["detected"], (2, 2))
+        self.assertEqual(count["0.03"]["wrong single name"], (1, 2))
+        self.assertEqual(count["0.03"]["names on null data"], (0, 3))
+        self.assertEqual(count["run"]["names on null data"], (1, 3))
+        self.assertNotIn("0.05", count)  # as it was run
+
     def test_gain_of_verdicts_without_an_extension_is_left_out(self):
         none = {"elpd_change": None, "elpd_interval_90": None}
         some = {"elpd_change": 2.0, "claimed": True, "rms_z_before": 2.0, "rms_z_after": 0.5}

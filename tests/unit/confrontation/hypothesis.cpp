@@ -116,3 +116,27 @@ TEST_CASE("a bend excuses no effect of another kind") {
   CAPTURE(kept);
   CHECK(kept <= 2);
 }
+
+TEST_CASE("a hypothesis by runs is judged by the scatter of its own runs, not by that of the effect's first ones") {
+  toy::World world;
+  toy::Hidden hidden = toy::nothing(world);
+  RandomStream random(9, "far from its first runs");
+  hidden.outside = 2.0 * toy::normals(world.tests * world.features, 1, random).col(0);
+  const Evidence evidence = toy::evidence(world, hidden, 1);
+  const Comparison comparison = compare(evidence, TestUse::fit);
+  const Scatter scatter = scatter_of(comparison, {});
+  const BaseFit base = calibrate_base(comparison, scatter.covariance, evidence.parameters);
+  Hypothesis h = linear_hypothesis(comparison, base, {kCause});
+  h.by_runs = true;
+  h.amplitude(0) = 2.4;
+  NamingOptions options;
+  options.draws.draws = 200;
+  const MatrixXd rows = toy::normals(world.common, h.difference.size(), random);
+  const auto kept = [&](double size) {
+    h.run_rows = size * rows;
+    return judge(comparison, scatter, base, evidence.candidates, {h}, options).front().kept;
+  };
+  CHECK(!kept(0.0));
+  CHECK(!kept(1.0));
+  CHECK(kept(10.0));
+}

@@ -1,0 +1,12 @@
+#pragma once
+#include <vector>
+
+#include "core/confrontation/confront.hpp"
+
+namespace asperity {
+
+/// Of one extension, over all compared features of fitted and kept-back tests: those that fewer than half as many of
+/// its runs give as of the base's.
+std::vector<ShortRuns> short_runs(const ConfrontationTask& task, const Confrontation& state, const HypothesisFit& fit);
+
+}  // namespace asperity
