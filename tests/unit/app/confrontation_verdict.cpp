@@ -94,6 +94,36 @@ TEST_CASE("alarms, suspects of the solver, limits and extrapolated strengths sta
   CHECK(contains(notes[4].text, "7.5 of the declared strong one"));
 }
 
+TEST_CASE("a cause whose runs end before their peak is warned of") {
+  Documents d;
+  d.verdict["short_runs"] = Json::parse(R"([{"causes": ["platen_friction"], "test": "U",
+    "feature": "peak_axial_stress_mpa", "base": 6, "extension": 1, "meshes": 6}])");
+  const std::vector<Note> notes = verdict_alarms(d.data());
+  REQUIRE(notes.size() == 2);
+  CHECK(contains(notes[1].text, "With platen_friction the runs of U end before their peak"));
+  CHECK(contains(notes[1].text, "1 of 6 give peak axial stress, of the base's 6"));
+}
+
+TEST_CASE("a gain is claimed, left open, or refutes the extension") {
+  Documents d;
+  const auto told = [&](double low, double high) {
+    d.verdict["gain"] = {{"causes", {"platen_friction"}},
+                         {"elpd_change", 0.5 * (low + high)},
+                         {"elpd_interval_90", {low, high}},
+                         {"claimed", low > 0.0},
+                         {"rms_z_before", 1.5},
+                         {"rms_z_after", 1.2}};
+    return markdown_of(verdict_chapter(d.data())) + markdown_of(gain_chapter(d.data()));
+  };
+  CHECK(contains(told(1.0, 3.0), "predicts the tests that were kept back better"));
+  const std::string open = told(-1.0, 3.0), refuted = told(-8.0, -0.2);
+  CHECK(contains(open, "No gain on the tests that were kept back is claimed"));
+  CHECK(!contains(open, "refute the extended model"));
+  CHECK(!contains(open, "refute this extension"));
+  CHECK(contains(refuted, "The tests that were kept back refute the extended model"));
+  CHECK(contains(refuted, "The whole interval lies below zero: the kept-back tests refute this extension"));
+}
+
 TEST_CASE("what data could not have shown is told of every candidate") {
   const std::string text = markdown_of(limits_chapter(Documents().data()));
   CHECK(contains(text, "friction coefficient 0.09"));
