@@ -140,17 +140,25 @@ def confusion_matrix(matrix, ids):
             "counts": [[matrix[case].get(answer, 0) for answer in answers] for case in cases]}
 
 
+def beyond_scatter(rms_z):
+    """What of a deviation in standard deviations is the model's: a right one has 1 of scatter alone, and squares add."""
+    return math.sqrt(max(0.0, rms_z**2 - 1.0))
+
+
 def gain_summary(rows):
     """On the hold-out tests, of verdicts with an extension: change of expected log predictive density, and the extension's
-    root mean square deviation over the recalibrated base's."""
+    root mean square deviation over the recalibrated base's, as it is and beyond what scatter makes."""
     gains = [r["gain"] for r in rows if r.get("gain") and r["gain"]["elpd_change"] is not None]
     if not gains:
         return None
     changes = [g["elpd_change"] for g in gains]
     shares = [g["rms_z_after"] / g["rms_z_before"] for g in gains]
+    model_shares = [beyond_scatter(g["rms_z_after"]) / beyond_scatter(g["rms_z_before"]) for g in gains if g["rms_z_before"] > 1.0]
     beyond = {f"where_the_base_errs_by_{n}": [s for s, g in zip(shares, gains) if g["rms_z_before"] > n] for n in (2, 3)}
     return {f"{name}{what}": of for name, some in beyond.items() if some
             for what, of in (("_verdicts", len(some)), ("_median_error_share", statistics.median(some)))} | {
             "verdicts": len(gains), "mean_elpd_change": statistics.mean(changes), "claimed": sum(g["claimed"] for g in gains),
             "median_error_share": statistics.median(shares), "halved": sum(share <= 0.5 for share in shares),
-            "median_error_before": statistics.median(g["rms_z_before"] for g in gains)}
+            "median_error_before": statistics.median(g["rms_z_before"] for g in gains)} | ({
+            "where_the_base_errs_beyond_scatter": len(model_shares),
+            "median_share_beyond_scatter": statistics.median(model_shares)} if model_shares else {})
