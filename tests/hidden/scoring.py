@@ -145,6 +145,12 @@ def beyond_scatter(rms_z):
     return math.sqrt(max(0.0, rms_z**2 - 1.0))
 
 
+def pooled_share(gains):
+    """Of all verdicts together, whose scatter averages out; nothing where the base errs by no more than that."""
+    pooled = {when: beyond_scatter(math.sqrt(statistics.mean(g[f"rms_z_{when}"] ** 2 for g in gains))) for when in ("before", "after")}
+    return {"pooled_share_beyond_scatter": pooled["after"] / pooled["before"]} if pooled["before"] > 0 else {}
+
+
 def gain_summary(rows):
     """On the hold-out tests, of verdicts with an extension: change of expected log predictive density, and the extension's
     root mean square deviation over the recalibrated base's, as it is and beyond what scatter makes."""
@@ -161,4 +167,4 @@ def gain_summary(rows):
             "median_error_share": statistics.median(shares), "halved": sum(share <= 0.5 for share in shares),
             "median_error_before": statistics.median(g["rms_z_before"] for g in gains)} | ({
             "where_the_base_errs_beyond_scatter": len(model_shares),
-            "median_share_beyond_scatter": statistics.median(model_shares)} if model_shares else {})
+            "median_share_beyond_scatter": statistics.median(model_shares)} if model_shares else {}) | pooled_share(gains)

@@ -150,9 +150,11 @@ class Scoring(unittest.TestCase):
         rows = [{"gain": none}, {"gain": some}, {"gain": less}]
         self.assertEqual(scoring.gain_summary(rows), {"verdicts": 2, "mean_elpd_change": 1.5, "claimed": 1, "median_error_share": 0.5,
                                                       "halved": 1, "median_error_before": 1.5,
-                                                      "where_the_base_errs_beyond_scatter": 1, "median_share_beyond_scatter": 0.0})
+                                                      "where_the_base_errs_beyond_scatter": 1, "median_share_beyond_scatter": 0.0,
+                                                      "pooled_share_beyond_scatter": 0.0})
         worse = {"elpd_change": -1.0, "claimed": False, "rms_z_before": 5 / 3, "rms_z_after": 13 / 12}  # 4/3 and 5/12 beyond scatter
         self.assertAlmostEqual(scoring.gain_summary([{"gain": worse}])["median_share_beyond_scatter"], 5 / 16)
+        self.assertAlmostEqual(scoring.gain_summary([{"gain": worse}])["pooled_share_beyond_scatter"], 5 / 16)
         self.assertIsNone(scoring.gain_summary(rows[:1]))
 
 
