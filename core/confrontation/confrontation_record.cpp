@@ -176,6 +176,11 @@ VerdictContext verdict_context(const ConfrontationConfig& config, const Confront
                               " did not converge: amplitude and misfit are its best run's, and a linear fit from "
                               "there still promises more; what counts is its gain on kept-back tests");
   }
+  const VectorXd& specimens = confrontation.fitted.specimens;
+  if (specimens.size() > 0 && (specimens.array() < 2.0).all())
+    context.notes.push_back(
+        "no fitted feature was measured on two specimens: how much the rock scatters is not known, and what meshes "
+        "scatter stands in its place. If it scatters more, what is found or refuted here may be scatter");
   for (const ShortRuns& s : confrontation.short_runs)
     context.notes.push_back(fmt::format(
         "with {} the runs of {} end before their peak, or have none: {} of {} give {}, of the base's {}. What they "

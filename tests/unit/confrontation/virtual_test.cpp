@@ -1,5 +1,6 @@
 #include "core/confrontation/virtual_test.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -79,6 +80,29 @@ TEST_CASE("the hash of the data is that of numbers and conditions, the frozen on
   CHECK(context(confrontation()).frozen_sha256 == first.frozen_sha256);
   folder.measured["tests"][1]["confining_pressure_mpa"] = 1.5;
   CHECK(context(confrontation()).data_sha256 != first.data_sha256);
+}
+
+TEST_CASE("notes tell of single specimens and of runs that end before their peak") {
+  const ConfrontationFolder folder("notes");
+  const ConfrontationConfig config = folder.read(confrontation());
+  Confrontation c;
+  c.evidence.candidates = {{"frame_compliance"}};
+  c.centre = c.base.coded = c.base.error = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(config.parameters.size()));
+  c.base.determined = c.base.limited = std::vector<bool>(config.parameters.size(), false);
+  const auto noted = [&](const std::string& part) {
+    const std::vector<std::string> notes = verdict_context(config, confrontation_task(config, nullptr), c).notes;
+    return std::count_if(notes.begin(), notes.end(),
+                         [&](const std::string& note) { return note.find(part) != std::string::npos; });
+  };
+  c.fitted.specimens = Eigen::VectorXd::Constant(3, 1.0);
+  CHECK(noted("no fitted feature was measured on two specimens") == 1);
+  c.fitted.specimens(1) = 2.0;
+  CHECK(noted("no fitted feature was measured on two specimens") == 0);
+  CHECK(noted("end before their peak") == 0);
+  c.short_runs = {{{0}, "T1", "peak_axial_stress_mpa", 8, 1, 8}};
+  CHECK(noted("with frame_compliance the runs of T1 end before their peak, or have none: 1 of 8 give "
+              "peak_axial_stress_mpa, of the base's 8") == 1);
+  CHECK(noted("/tests/T1/set") == 1);
 }
 
 TEST_CASE("values for all tests lie over sizes, those for one test over all") {
