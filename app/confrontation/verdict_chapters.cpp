@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "app/confrontation/confrontation_chapters.hpp"
 #include "app/confrontation/words.hpp"
@@ -105,16 +106,21 @@ std::vector<Note> extrapolations(const ConfrontationData& data) {
 
 /// Kept causes whose runs have no peak where the base's have one.
 std::vector<Note> causes_without_peak(const ConfrontationData& data) {
-  std::vector<Note> notes;
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<std::string>> tests;
   for (const Value& entry : data.verdict["short_runs"].items()) {
-    notes.push_back(
-        {html::NoticeKind::warning,
-         fmt::format("With {} the runs of {} end before their peak, or have none: {} of {} give {}, of the "
-                     "base's {}. The run's end and not the rock may make it fit: let these runs go further "
-                     "before it is believed.",
-                     causes_words(entry["causes"]), entry["test"].text(), entry["extension"].count(),
-                     entry["meshes"].count(), feature_words(entry["feature"].text()), entry["base"].count())});
+    const std::string causes = causes_words(entry["causes"]);
+    if (tests[causes].empty()) order.push_back(causes);
+    tests[causes].push_back(fmt::format("{} ({}: {} of {} runs, of the base's {})", entry["test"].text(),
+                                        feature_words(entry["feature"].text()), entry["extension"].count(),
+                                        entry["meshes"].count(), entry["base"].count()));
   }
+  std::vector<Note> notes;
+  for (const std::string& causes : order)
+    notes.push_back({html::NoticeKind::warning,
+                     fmt::format("With {} fewer runs pass a peak than with the base: {}. They flow, or end too early: "
+                                 "let these tests go further before the cause is believed.",
+                                 causes, joined(tests[causes]))});
   return notes;
 }
 

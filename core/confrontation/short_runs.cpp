@@ -29,7 +29,8 @@ void add_short_runs(const ConfrontationTask& task, const Confrontation& state, c
     const std::string feature(test.slots[static_cast<std::size_t>(column)].kind->name);
     const Index before = base.col(column).array().isFinite().count();
     const Index after = extension.col(column).array().isFinite().count();
-    if (2 * after < before) found.push_back({at.causes, test.id, feature, before, after, base.rows()});
+    if (2 * before >= base.rows() && 2 * after < before)
+      found.push_back({at.causes, test.id, feature, before, after, base.rows()});
   }
 }
 
