@@ -25,6 +25,9 @@ Chapter next_chapter(const ConfrontationData& data);
 Chapter assumptions_chapter(const ConfrontationData& data);
 Chapter provenance_chapter(const ConfrontationData& data);
 
+/// Ids of the causes that the verdict names.
+std::vector<std::string> causes_of(const ConfrontationData& data);
+
 /// Ids of a list in the verdict as "a + b".
 std::string causes_words(const Value& ids);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "app/confrontation/confrontation_chapters.hpp"
 #include "app/confrontation/words.hpp"
@@ -32,17 +31,6 @@ std::string cause_words(const ConfrontationData& data, const std::string& id) {
   return mechanism_name(id);
 }
 
-std::vector<std::string> causes_of(const ConfrontationData& data) {
-  std::vector<std::string> ids;
-  for (const Value& id : data.verdict["causes"].items()) ids.push_back(id.text());
-  return ids;
-}
-
-bool is_suspect(const ConfrontationData& data, const std::string& id) {
-  const ShownCandidate* candidate = find_candidate(data, id);
-  return candidate && candidate->suspect;
-}
-
 /// The best kept pair of a verdict of two causes.
 std::string pair_words(const ConfrontationData& data) {
   for (const Value& pair : data.verdict["pairs"].items()) {
@@ -57,71 +45,6 @@ std::string pair_words(const ConfrontationData& data) {
   std::vector<std::string> names;
   for (const std::string& id : causes_of(data)) names.push_back(mechanism_name(id));
   return joined(names);
-}
-
-/// Fitted tests of which nothing is compared: the verdict does not rest on them.
-std::vector<Note> silent_tests(const ConfrontationData& data) {
-  std::vector<std::string> silent;
-  for (const ShownTest& test : data.tests) {
-    const auto speaks = [&](const ShownSlot& slot) { return slot.test == test.id; };
-    if (!test.kept_back && std::none_of(data.slots.begin(), data.slots.end(), speaks)) silent.push_back(test.id);
-  }
-  if (silent.empty()) return {};
-  return {{html::NoticeKind::warning,
-           "No feature of " + joined(silent) + " could be compared, so the verdict does not rest on " +
-               (silent.size() == 1 ? "this test" : "these tests") + "; why stands under \"What is wrong\"."}};
-}
-
-/// Where a parameter ended at its limit: what it would absorb beyond counts as absorbed.
-std::vector<Note> limits(const ConfrontationData& data) {
-  std::vector<std::string> names;
-  for (const Value& p : data.verdict["parameters"].items()) {
-    if (p["at_limit"].truth()) names.push_back(p["label"].text().empty() ? p["name"].text() : p["label"].text());
-  }
-  if (names.empty()) return {};
-  double worst = 0.0;
-  for (const ShownSlot& slot : data.slots) worst = std::max(worst, std::abs(slot.z_base));
-  return {
-      {html::NoticeKind::warning,
-       fmt::format("Calibration ended at the limit of what is allowed for {}. Features are left as far as {} standard "
-                   "deviations from the base, yet what this parameter would absorb beyond its limit counts as "
-                   "absorbed: the verdict speaks of the rest alone. Give it more room, or take a nearer base.",
-                   joined(names), figures(worst, 2))}};
-}
-
-/// Kept causes whose strength lies beyond what could be run.
-std::vector<Note> extrapolations(const ConfrontationData& data) {
-  std::vector<Note> notes;
-  for (const Value& single : data.verdict["candidates"].items()) {
-    const ShownCandidate* candidate = find_candidate(data, single["id"].text());
-    const double amplitude = single["amplitude"].number();
-    if (!candidate || !single["kept"].truth() || !(std::abs(amplitude) > candidate->most)) continue;
-    notes.push_back({html::NoticeKind::warning,
-                     fmt::format("The strength of {} is extrapolated: {} of the declared strong one, while its "
-                                 "parameters' ranges end at {}. The extended model is run with that.",
-                                 mechanism_name(candidate->id), figures(amplitude), figures(candidate->most))});
-  }
-  return notes;
-}
-
-/// Kept causes whose runs have no peak where the base's have one.
-std::vector<Note> causes_without_peak(const ConfrontationData& data) {
-  std::vector<std::string> order;
-  std::map<std::string, std::vector<std::string>> tests;
-  for (const Value& entry : data.verdict["short_runs"].items()) {
-    const std::string causes = causes_words(entry["causes"]);
-    if (tests[causes].empty()) order.push_back(causes);
-    tests[causes].push_back(fmt::format("{} ({}: {} of {} runs, of the base's {})", entry["test"].text(),
-                                        feature_words(entry["feature"].text()), entry["extension"].count(),
-                                        entry["meshes"].count(), entry["base"].count()));
-  }
-  std::vector<Note> notes;
-  for (const std::string& causes : order)
-    notes.push_back({html::NoticeKind::warning,
-                     fmt::format("With {} fewer runs pass a peak than with the base: {}. They flow, or end too early: "
-                                 "let these tests go further before the cause is believed.",
-                                 causes, joined(tests[causes]))});
-  return notes;
 }
 
 std::vector<std::string> named_sentences(const ConfrontationData& data) {
@@ -222,6 +145,12 @@ std::string feature_with_unit(const ConfrontationData& data, const std::string& 
   return feature_words(feature);
 }
 
+std::vector<std::string> causes_of(const ConfrontationData& data) {
+  std::vector<std::string> ids;
+  for (const Value& id : data.verdict["causes"].items()) ids.push_back(id.text());
+  return ids;
+}
+
 std::string causes_words(const Value& ids) {
   std::string text;
   for (const Value& id : ids.items()) text += (text.empty() ? "" : " + ") + id.text();
@@ -231,26 +160,6 @@ std::string causes_words(const Value& ids) {
 bool refuted_by_kept_back(const Value& gain) {
   const std::vector<double> interval = gain["elpd_interval_90"].numbers();
   return interval.size() == 2 && interval[1] < 0.0;
-}
-
-std::vector<Note> verdict_alarms(const ConfrontationData& data) {
-  std::vector<Note> notes;
-  for (const Value& alarm : data.verdict["gate"]["alarms"].items())
-    notes.push_back(
-        {html::NoticeKind::warning,
-         "Alarm: " + alarm.text() + ". Look for a fault in the data or in the scatter before anything else."});
-  for (const std::string& id : causes_of(data)) {
-    if (is_suspect(data, id))
-      notes.push_back({html::NoticeKind::warning,
-                       "The solver's own settings first: " + mechanism_name(id) +
-                           " is among the possible causes. It says nothing of the rock; settle it before any mechanism "
-                           "of the rock is believed."});
-  }
-  for (const Note& note : silent_tests(data)) notes.push_back(note);
-  for (const Note& note : limits(data)) notes.push_back(note);
-  for (const Note& note : extrapolations(data)) notes.push_back(note);
-  for (const Note& note : causes_without_peak(data)) notes.push_back(note);
-  return notes;
 }
 
 std::vector<std::string> verdict_sentences(const ConfrontationData& data) {
