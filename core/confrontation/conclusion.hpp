@@ -17,7 +17,8 @@ struct Conclusion {
   std::vector<HypothesisFit> singles;  ///< Refitted candidates, the best fit first.
   std::vector<SecondCause> seconds;    ///< Of the first singles, where a second cause was sought.
   std::vector<HypothesisFit> pairs;    ///< The best fit first.
-  std::vector<HypothesisFit> kept;     ///< What the data do not refute: singles, or pairs; the best fit first.
+  std::vector<HypothesisFit> kept;     ///< What the data do not refute: singles, or pairs; the best fit first (confront
+                                    ///< puts those whose runs lack a peak last).
 };
 
 /// Whether each amplitude of a pair lies farther from 0 than twice its error: else one cause alone does the same.

@@ -129,21 +129,29 @@ HypothesisFit single_fit(const Confrontation& state, Index cause, const Hypothes
   return fit_hypothesis(state.scatter.covariance, state.evidence.candidates, make({{cause}}).front());
 }
 
-void measure_gains(const ConfrontationTask& task, Confrontation& state, const HypothesisMaker& make) {
-  if (state.conclusion.kept.empty()) return;
+void compare_kept_back(const ConfrontationTask& task, Confrontation& state) {
   state.kept_back = compare(state.evidence, TestUse::hold_out);
   if (state.kept_back.data.size() > 0)
     state.kept_back_scatter = scatter_at(state.kept_back, state.base.coded, task.options.draws.noise);
+}
+
+void measure_gains(const ConfrontationTask& task, Confrontation& state, const HypothesisMaker& make) {
   for (const HypothesisFit& fit : state.conclusion.kept) state.extensions.push_back(extension_gain(task, state, fit));
   for (const Index k : decoy_candidates(state, task.options)) {
     state.decoys.push_back(extension_gain(task, state, single_fit(state, k, make)));
   }
 }
 
-void look_for_short_runs(const ConfrontationTask& task, Confrontation& state) {
-  for (const HypothesisFit& fit : state.conclusion.kept) {
+/// Kept causes whose runs lack a peak are believed after all others.
+void put_short_runs_last(const ConfrontationTask& task, Confrontation& state) {
+  std::vector<HypothesisFit>& kept = state.conclusion.kept;
+  for (const HypothesisFit& fit : kept) {
     for (ShortRuns& found : short_runs(task, state, fit)) state.short_runs.push_back(std::move(found));
   }
+  std::stable_partition(kept.begin(), kept.end(), [&](const HypothesisFit& fit) {
+    return std::none_of(state.short_runs.begin(), state.short_runs.end(),
+                        [&](const ShortRuns& s) { return s.causes == fit.causes; });
+  });
 }
 
 /// A bend moves the fit a little, so the parameters' limits are looked at with and without it.
@@ -177,8 +185,10 @@ Confrontation confront(ConfrontationTask task) {
   state.conclusion =
       conclude(state.fitted, state.scatter, state.base, state.gate, state.evidence.candidates, make, task.options);
   state.residuals = feature_residuals(state.fitted, state.scatter, state.base, state.evidence.parameters);
+  if (state.conclusion.kept.empty()) return state;
+  compare_kept_back(task, state);
+  if (by_runs) put_short_runs_last(task, state);
   measure_gains(task, state, make);
-  if (by_runs) look_for_short_runs(task, state);
   return state;
 }
 

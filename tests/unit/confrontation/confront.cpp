@@ -258,6 +258,34 @@ TEST_CASE("a cause whose runs end before a peak that the base's pass is told wit
   CHECK(confronted(1.5).short_runs.empty());
 }
 
+TEST_CASE("of two causes that fit alike, the one whose runs lack a peak stands last") {
+  const auto causes_with = [&](const std::string& ending) {
+    ToySimulator simulator;
+    ConfrontationTask task = task_of(simulator, truth(), {{"m1", 0.9}});
+    std::set<std::uint64_t> ended;
+    task.configure = [&](VirtualSpecimen s) {  // m4 does what m1 does
+      const bool ends =
+          std::any_of(s.mechanisms.begin(), s.mechanisms.end(), [&](const auto& m) { return m.id == ending; });
+      for (MechanismAmplitude& m : s.mechanisms) m.id = m.id == "m4" ? "m1" : m.id;
+      RunConfig run = simulator.configure(s);
+      if (s.test == 1 && ends) ended.insert(run.particles.seed);
+      return run;
+    };
+    for (TestEvidence& test : task.evidence.tests) test.slots[0].simulated = toy::kind(20);
+    task.features = [&](const std::string&, const std::vector<CampaignRun>& runs) {
+      std::vector<RunFeatureValues> all = simulator.features(runs);
+      for (std::size_t i = 0; i < runs.size(); ++i) {
+        all[i][20] = all[i][0];
+        if (ended.contains(runs[i].config.particles.seed)) all[i][0].reset();
+      }
+      return all;
+    };
+    return verdict_causes(confront(std::move(task)));
+  };
+  CHECK(causes_with("m1") == std::vector<std::string>{"m4", "m1"});
+  CHECK(causes_with("m4") == std::vector<std::string>{"m1", "m4"});
+}
+
 TEST_CASE("about the reference no further run is made for a refit") {
   ToySimulator simulator;
   ConfrontationTask task = task_of(simulator, truth(), {{"m2", 1.0}});
