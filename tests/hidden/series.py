@@ -85,7 +85,7 @@ def all_sets(o, acts_in):
     return sets
 
 
-def run_set(base, pool, confronter, plan, draw, work, settings):
+def run_set(base, pool, confronter, plan, draw, work, settings=()):
     """Writes a data set, seals its truth, confronts, and opens the seal."""
     shutil.rmtree(work, ignore_errors=True)
     sealed = work / "sealed" / "truth.json"
