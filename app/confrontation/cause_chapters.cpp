@@ -56,11 +56,10 @@ PlainTable pairs_table(const ConfrontationData& data) {
       strengths.push_back(amplitude_words(ids[i].text(), amplitudes[i], errors[i]));
     const bool kept = p["kept"].truth();
     const std::string judged = hypothesis_words(p["p_misfit"].number(), p["p_excess"].number());
-    table.rows.push_back({{causes_words(p["ids"]), joined(strengths), one_decimal(p["misfit"].number()),
-                           kept                    ? "kept: " + judged
-                           : p["both_act"].truth() ? "refuted: " + judged
-                                                   : "no pair: one of the two need not act"},
-                          kept ? html::RowTone::good : html::RowTone::quiet});
+    table.rows.push_back(
+        {{causes_words(p["ids"]), joined(strengths), one_decimal(p["misfit"].number()),
+          kept ? "kept: " + judged : p["both_act"].truth() ? "refuted: " + judged : "no pair: one of the two need not act"},
+         kept ? html::RowTone::good : html::RowTone::quiet});
   }
   return table;
 }

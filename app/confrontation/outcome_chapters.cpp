@@ -40,14 +40,16 @@ std::string gain_words(const ConfrontationData& data) {
   return "No gain is claimed: with " + causes_words(gain["causes"]) + ", " + numbers + where;
 }
 
+std::string place_of_interval(const Value& gain) {
+  if (gain["claimed"].truth()) return "above zero";
+  return refuted_by_kept_back(gain) ? "below zero" : "not above zero";
+}
+
 void add_rival(const Value& gain, const std::string& what, PlainTable& table) {
   const bool claimed = gain["claimed"].truth();
   table.rows.push_back(
       {{causes_words(gain["causes"]), what, figures(gain["elpd_change"].number()), interval_words(gain),
-        figures(gain["rms_z_before"].number(), 2), figures(gain["rms_z_after"].number(), 2),
-        claimed                      ? "above zero"
-        : refuted_by_kept_back(gain) ? "below zero"
-                                     : "not above zero"},
+        figures(gain["rms_z_before"].number(), 2), figures(gain["rms_z_after"].number(), 2), place_of_interval(gain)},
        claimed ? html::RowTone::good : html::RowTone::quiet});
 }
 

@@ -73,10 +73,13 @@ std::vector<Note> causes_without_peak(const ConfrontationData& data) {
   }
   std::vector<Note> notes;
   for (const std::string& causes : order)
-    notes.push_back({html::NoticeKind::warning,
-                     fmt::format("With {} fewer runs pass a peak than with the base: {}. They flow, or end too early: "
-                                 "let these tests go further before the cause is believed.",
-                                 causes, joined(tests[causes]))});
+    notes.push_back(
+        {html::NoticeKind::warning,
+         fmt::format("With {} fewer runs pass a peak than with the base: {}. They flow, or end too early; what "
+                     "they bear at their end, or the base's effects alone, stand for the peak. Let these "
+                     "tests go further (\"tests\", \"set\": /experiment/stop and "
+                     "/measurement/peak_strain_limit) before the cause is believed.",
+                     causes, joined(tests[causes]))});
   return notes;
 }
 

@@ -1,8 +1,5 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <set>
 
 #include "core/base/atomic_file.hpp"
@@ -158,24 +155,6 @@ std::vector<ParameterValue> extended_parameters(const ConfrontationConfig& confi
   return moved;
 }
 
-/// One note a cause, with every test that lacks a peak.
-std::vector<std::string> short_run_notes(const Confrontation& confrontation) {
-  std::map<std::string, std::string> tests;
-  for (const ShortRuns& s : confrontation.short_runs) {
-    std::string& list = tests[causes_text(confrontation, s.causes)];
-    list += fmt::format("{}{} ({}: {} of {} runs, of the base's {})", list.empty() ? "" : ", ", s.test, s.feature,
-                        s.extension, s.meshes, s.base);
-  }
-  std::vector<std::string> notes;
-  for (const auto& [causes, list] : tests)
-    notes.push_back(fmt::format(
-        "with {} fewer runs pass a peak than with the base: {}. They flow, or end too early; what they bear at their "
-        "end, or the base's effects alone, stand for the peak. Let these tests go further (\"tests\", \"set\": "
-        "/experiment/stop and /measurement/peak_strain_limit) before this cause is believed",
-        causes, list));
-  return notes;
-}
-
 }  // namespace
 
 VerdictContext verdict_context(const ConfrontationConfig& config, const ConfrontationTask& task,
@@ -200,7 +179,6 @@ VerdictContext verdict_context(const ConfrontationConfig& config, const Confront
     context.notes.push_back(
         "no fitted feature was measured on two specimens: how much the rock scatters is not known, and what meshes "
         "scatter stands in its place. If it scatters more, what is found or refuted here may be scatter");
-  for (std::string& note : short_run_notes(confrontation)) context.notes.push_back(std::move(note));
   context.data_sha256 = sha256_hex(data_numbers(config.measured).dump());
   context.frozen_sha256 = sha256_hex(frozen(config, task).dump());
   return context;

@@ -24,6 +24,7 @@ std::vector<MechanismAmplitude> acting(const ConfrontationTask& task, const Evid
   return mechanisms;
 }
 
+/// Of the finite ones.
 double finite_mean(const VectorXd& values) {
   double sum = 0.0, count = 0.0;
   for (const double v : values) {
