@@ -105,14 +105,17 @@ Hypothesis wanted(const Refit& refit, const Hypothesis& from, double radius) {
   return to;
 }
 
-/// Runs the hypothesis where it stands: its difference becomes theirs where they tell one.
-void run_there(const Refit& refit, std::size_t meshes, Hypothesis& h) {
+/// Runs the hypothesis where it stands: its difference becomes theirs where they tell one. False where none does: it is
+/// unchanged then, and only a promise.
+bool run_there(const Refit& refit, std::size_t meshes, Hypothesis& h) {
   const Comparison& fitted = refit.state.fitted;
   const VectorXd less_model = fitted.data - fitted.model;
   RunChange change = change_by_runs(refit.task, refit.state, fitted, {h.causes, h.coded, h.amplitude}, meshes,
                                     extension_stage(refit.state.evidence, h.causes), less_model - h.difference);
+  if (!change.told) return false;
   h.difference = less_model - change.mean;
   h.run_rows = std::move(change.rows);
+  return true;
 }
 
 /// Broyden's update: the effects along the step are what two runs showed.
@@ -133,7 +136,10 @@ void descend(const Refit& refit, std::size_t meshes, int most_points, Hypothesis
     const Step step = step_between(best, tried);
     const double promised = refit.misfit(best) - refit.misfit(tried);
     if (best.converged || i == most_points || promised < kSmallGain) return;
-    run_there(refit, meshes, tried);
+    if (!run_there(refit, meshes, tried)) {
+      radius = 0.5 * std::min(radius, step.size());
+      continue;
+    }
     const double share = (refit.misfit(best) - refit.misfit(tried)) / promised;
     learn(best, step, tried.difference);
     if (share < kPoorShare) radius = 0.5 * std::min(radius, step.size());
@@ -156,7 +162,7 @@ void difference_effects(const Refit& refit, Hypothesis& h) {
   const std::size_t meshes = refit.task.screen;
   const Reach reach = reach_of(refit.state.evidence, h, kAnyRadius);
   Hypothesis there = h;
-  run_there(refit, meshes, there);
+  if (!run_there(refit, meshes, there)) return;
   const VectorXd& here = there.difference;
   const auto effect = [&](Index i, double step, double& coordinate, Hypothesis& moved, const VectorXd& before) {
     const double by = difference_step(reach.least(i), reach.greatest(i), step);
@@ -165,7 +171,7 @@ void difference_effects(const Refit& refit, Hypothesis& h) {
     keep_within(refit.state.evidence, moved);
     if (std::abs(coordinate - from) < kNoRoom) return before;
     moved.difference = here - before * (coordinate - from);
-    run_there(refit, meshes, moved);
+    if (!run_there(refit, meshes, moved)) return before;
     return VectorXd((here - moved.difference) / (coordinate - from));
   };
   for (Index p = 0; p < h.coded.size(); ++p) {

@@ -96,6 +96,7 @@ RunChange change_by_runs(const ConfrontationTask& task, const Confrontation& sta
       const Index column = part.columns[i], at = part.first + static_cast<Index>(i);
       const VectorXd differences = runs.col(column) - part.test->base.col(column).head(rows);
       if (differences.array().isFinite().count() < 2) continue;
+      change.told = true;
       change.mean(at) = finite_mean(differences);
       change.rows.col(at).head(rows) = centred(differences);
     }

@@ -23,6 +23,7 @@ std::vector<VirtualSpecimen> extension_specimens(const ConfrontationTask& task, 
 struct RunChange {
   Eigen::VectorXd mean;
   Eigen::MatrixXd rows;  ///< Meshes by slots, less their mean.
+  bool told = false;     ///< Whether runs gave any slot: else the mean is `otherwise` alone.
 };
 
 /// Over the first `meshes` of each test's; `otherwise` where fewer than two give a value.

@@ -19,6 +19,7 @@ using nlohmann::json;
 
 constexpr const char* kAxialGauge = "/measurement/axial_gauge_mm";
 constexpr const char* kLateralGauge = "/measurement/lateral_gauge_mm";
+constexpr int kDigits = 12;
 
 json& at(json& document, const char* pointer) { return document[json::json_pointer(pointer)]; }
 
@@ -139,13 +140,20 @@ void set_checked(RunConfig& run, const std::string& pointer, double value, std::
 }
 
 void move_parameter(RunConfig& run, const ConfrontationParameter& parameter, double theta, std::vector<Fault>& faults) {
-  constexpr int kDigits = 12;
   const double value = value_of(parameter.transform, theta);
   set_checked(run, parameter.pointer, value, faults);
   for (const std::string& tied : parameter.tied) {
     const double before = number_of(run, tied).value();
     set_checked(run, tied, rounded_to(before * (value / parameter.reference), kDigits), faults);
   }
+}
+
+/// A setting that is off to the other side of its strong value: files have no amplitude below 0, so they state values.
+MechanismConfig as_a_file_states(const MechanismConfig& m) {
+  if (m.amplitude.value_or(0.0) >= 0.0) return m;
+  MechanismConfig stated{m.type, std::nullopt, mechanism_values(*find_mechanism(m.type), m)};
+  for (auto& [key, value] : stated.parameters) value = rounded_to(value, kDigits);
+  return stated;
 }
 
 }  // namespace
@@ -169,7 +177,7 @@ RunConfig configured(const RunConfig& virtual_test, const std::vector<Confrontat
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (acts_in(parameters[i], run.experiment.type)) move_parameter(run, parameters[i], theta.at(i), faults);
   }
-  run.mechanisms.insert(run.mechanisms.end(), mechanisms.begin(), mechanisms.end());
+  for (const MechanismConfig& m : mechanisms) run.mechanisms.push_back(as_a_file_states(m));
   run.particles.seed = seed;
   for (Fault& fault : cross_check(run)) faults.push_back(std::move(fault));
   if (!faults.empty()) throw_with_prefix(Error(ErrorKind::config, std::move(faults)), run.name + ": ");

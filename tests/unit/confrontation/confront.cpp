@@ -77,6 +77,27 @@ TEST_CASE(
   CHECK(!refitted->kept);
 }
 
+TEST_CASE("a point whose runs tell nothing is no fit, whatever its linear fit promises") {
+  ToySimulator simulator;
+  ConfrontationTask task = task_of(simulator, truth(), {{"m1", 0.9}});
+  task.features = [&](const std::string& stage, const std::vector<CampaignRun>& runs) {
+    std::vector<RunFeatureValues> all = simulator.features(runs);
+    if (!stage.starts_with("extension m1")) return all;
+    for (RunFeatureValues& row : all) std::fill(row.begin(), row.end(), std::nullopt);
+    return all;
+  };
+  const Confrontation c = confront(std::move(task));
+  for (const HypothesisFit& fit : c.conclusion.singles) {
+    if (c.evidence.candidates[static_cast<std::size_t>(fit.causes.front())].id != "m1") continue;
+    CHECK(fit.amplitude(0) == 0.0);
+    CHECK(!fit.kept);
+    CHECK(!fit.converged);
+  }
+  CHECK(std::none_of(c.conclusion.kept.begin(), c.conclusion.kept.end(), [&](const HypothesisFit& fit) {
+    return c.evidence.candidates[static_cast<std::size_t>(fit.causes.front())].id == "m1";
+  }));
+}
+
 TEST_CASE("a cause whose effect changes the parameters' is found far from the base, and reported where it was run") {
   ToySimulator simulator(Toy::bent);
   ConfrontationTask task = task_of(simulator, (VectorXd(2) << 5.5, -4.0).finished(), {{"m1", 1.1}});

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/config/read_config.hpp"
 #include "core/config/write_config.hpp"
 #include "core/confrontation/confrontation_task.hpp"
 #include "tests/unit/confrontation/confrontation_folder.hpp"
@@ -148,6 +149,18 @@ TEST_CASE("a configured run has parameters with what is tied to them, mechanisms
   CHECK(run.mechanisms.back().type == "slip_weakening");
   CHECK(run.particles.seed == 9);
   CHECK(config_hash(run) != config_hash(base));
+}
+
+TEST_CASE("a setting that is off to its other side is a run that a file can state") {
+  const ConfrontationFolder folder("other side");
+  const ConfrontationConfig config = folder.read(confrontation());
+  const std::vector<double> theta = reference_theta(config.parameters);
+  const RunConfig run = configured(test_of(config, "U"), config.parameters, theta, {{"loading_rate", -1.8, {}}}, 1);
+  const std::string text = effective_json(run);
+  CHECK(run.mechanisms.back() == MechanismConfig{"loading_rate", std::nullopt, {{"rate_factor", 1.9}}});
+  CHECK(parse_run_config(text, "written", {}) == run);
+  CHECK_THROWS_WITH(configured(test_of(config, "U"), config.parameters, theta, {{"damping", -1.2, {}}}, 1),
+                    Catch::Contains("case_U: /mechanisms/0/damping_change"));
 }
 
 TEST_CASE("a parameter stays where it does not act; what leads out of range is told with the test") {
