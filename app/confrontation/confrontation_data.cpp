@@ -33,6 +33,7 @@ std::vector<ShownCurve> read_curves(const Value& list) {
       throw Error(ErrorKind::config, {{"shown.json: a curve", "has path and load of different lengths",
                                        std::to_string(curve.path.size()), std::to_string(curve.load.size()), ""}});
     for (const auto& [name, value] : entry["features"].entries()) curve.features[name] = value.number();
+    curve.kinetic = optional_number(entry["kinetic_over_stored"]).value_or(0.0);
     curves.push_back(std::move(curve));
   }
   return curves;

@@ -18,6 +18,7 @@ struct ShownCurve {
   std::filesystem::path folder;            ///< Of the run.
   std::map<std::string, double> features;  ///< Of the run.
   std::string reason;                      ///< Why a run has no curve.
+  double kinetic = 0;                      ///< Of the run, over the stored energy before the peak.
 };
 
 struct ShownTest {

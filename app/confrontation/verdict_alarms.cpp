@@ -6,6 +6,7 @@
 
 #include "app/confrontation/confrontation_chapters.hpp"
 #include "app/confrontation/words.hpp"
+#include "core/experiment/summarise.hpp"
 
 namespace asperity::app {
 namespace {
@@ -83,6 +84,28 @@ std::vector<Note> causes_without_peak(const ConfrontationData& data) {
   return notes;
 }
 
+/// Tests in which the base's own runs are too fast: their strengths hang on the rate.
+std::vector<Note> not_quasi_static(const ConfrontationData& data) {
+  std::vector<std::string> tests;
+  for (const ShownTest& test : data.tests) {
+    double most = 0.0;
+    std::ptrdiff_t fast = 0;
+    for (const ShownCurve& run : test.base) {
+      most = std::max(most, run.kinetic);
+      if (run.kinetic > kQuasiStaticKineticShare) ++fast;
+    }
+    if (fast > 0)
+      tests.push_back(fmt::format("{} (up to {} in {} of {} runs)", test.id, figures(most, 2), fast, test.base.size()));
+  }
+  if (tests.empty()) return {};
+  return {
+      {html::NoticeKind::warning,
+       fmt::format("Not quasi-static: before the peak of the base's runs that are shown, kinetic energy exceeded {} "
+                   "of the stored energy in {}. Their strengths may hang on the loading rate; load more slowly "
+                   "before a cause is believed.",
+                   figures(kQuasiStaticKineticShare), joined(tests))}};
+}
+
 }  // namespace
 
 std::vector<Note> verdict_alarms(const ConfrontationData& data) {
@@ -102,6 +125,7 @@ std::vector<Note> verdict_alarms(const ConfrontationData& data) {
   for (const Note& note : limits(data)) notes.push_back(note);
   for (const Note& note : extrapolations(data)) notes.push_back(note);
   for (const Note& note : causes_without_peak(data)) notes.push_back(note);
+  for (const Note& note : not_quasi_static(data)) notes.push_back(note);
   return notes;
 }
 

@@ -8,6 +8,7 @@
 #include "core/confrontation/significant_digits.hpp"
 #include "core/confrontation/test_features.hpp"
 #include "core/measurement/telling_rows.hpp"
+#include "core/output/summary.hpp"
 
 namespace asperity {
 namespace {
@@ -77,6 +78,8 @@ ordered_json finished_json(const CampaignOutcome& outcome, bool path_is_gauge) {
     if (values[i].value) features[std::string(kinds[i].name)] = number(*values[i].value);
   }
   entry["features"] = std::move(features);
+  entry["kinetic_over_stored"] =
+      read_summary(outcome.folder / "summary.json").energy.at("kinetic_over_stored_before_peak");
   return entry;
 }
 

@@ -18,7 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kClosureLimit = 1e-3;
-constexpr double kKineticLimit = 0.02;
 
 bool compression(const Model& model) { return is_compression(model.config.experiment.type); }
 bool sheared(const Model& model) { return model.config.experiment.type == ExperimentType::direct_shear; }
@@ -156,10 +155,10 @@ std::vector<std::string> find_warnings(const Model& model, const RunState& state
                                                     peak.axial_strain));
   }
   const double ratio = loading_kinetic_ratio(state, peak);
-  if (ratio > kKineticLimit) {
+  if (ratio > kQuasiStaticKineticShare) {
     warnings.push_back(fmt::format(
         "kinetic energy reached {:.3g} of the stored energy before the peak (limit {:.3g}): load more slowly", ratio,
-        kKineticLimit));
+        kQuasiStaticKineticShare));
   }
   const double mass_bound = model.config.integration.mass_scaling.added_mass_bound;
   if (model.added_mass_fraction > mass_bound) {

@@ -7,6 +7,9 @@
 
 namespace asperity {
 
+/// Kinetic over stored energy before the peak, up to which a test counts as quasi-static.
+constexpr double kQuasiStaticKineticShare = 0.02;
+
 /// What a test found, for summary.json: results with their units, energies, cracks, and everything a careful reader
 /// should be warned of. Costs are filled by the caller.
 Summary summarise(const Model& model, const RunState& state);

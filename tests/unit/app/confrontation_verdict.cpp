@@ -105,6 +105,18 @@ TEST_CASE("a cause whose runs end before their peak is warned of") {
                  "U (peak axial stress: 1 of 6 runs, of the base's 6)"));
 }
 
+TEST_CASE("base runs that are not quasi-static are warned of, test by test") {
+  Documents d;
+  Json& runs = d.shown["tests"][1]["base"];
+  runs.push_back(runs[0]);
+  runs[0]["kinetic_over_stored"] = 0.019;
+  CHECK(verdict_alarms(d.data()).size() == 1);
+  runs[1]["kinetic_over_stored"] = 0.0467;
+  const std::vector<Note> notes = verdict_alarms(d.data());
+  REQUIRE(notes.size() == 2);
+  CHECK(contains(notes[1].text, "exceeded 0.02 of the stored energy in T1 (up to 0.047 in 1 of 2 runs)"));
+}
+
 TEST_CASE("a gain is claimed, left open, or refutes the extension") {
   Documents d;
   const auto told = [&](double low, double high) {
