@@ -21,6 +21,7 @@ class Plan:
     meshes: int = 8
     other_edges: bool = False
     seed: str = "1"  # of blocks and meshes: the pool's
+    noise: float = 1.0  # factor on the instrument's errors
 
 
 def block_of(base, plan, effects, number):
@@ -83,13 +84,14 @@ def intact_curves(pool, configs, count):
 def record_test(base, plan, draw, pool, test):
     """Text of a test's table."""
     rng = stream(draw.seed, "instrument", test.id)
-    errors, units = recording.draw_test_errors(rng), recording.draw_units(test, rng)
+    instrument = recording.instrument_of(plan.noise)
+    errors, units = recording.draw_test_errors(instrument, rng), recording.draw_units(test, rng)
     columns = recording.kept_columns(test, plan.suite)
     specimens = {}
     for curve in intact_curves(pool, drawn_configs(base, plan, draw, test), plan.specimens):
         curve = {name: list(values) for name, values in curve.items() if name in columns}
         draw.effects.record(curve, test)
-        specimens[f"{len(specimens) + 1}"] = recording.recorded(curve, test, errors, rng)
+        specimens[f"{len(specimens) + 1}"] = recording.recorded(curve, test, instrument, errors, rng)
     return recording.csv_text(specimens, columns, units)
 
 
@@ -98,7 +100,7 @@ def measured_json(plan, draw):
     for number, test in enumerate(tests_of(plan), 1):
         entry = {"id": test.id, "experiment": test.experiment, **test.keys, "curve": f"T{number}.csv", "use": test.use}
         tests.append(entry)
-    return {"name": draw.name, "material": "plaster", "source": "laboratory", "instrument": recording.INSTRUMENT, "tests": tests}
+    return {"name": draw.name, "material": "plaster", "source": "laboratory", "instrument": recording.instrument_of(plan.noise), "tests": tests}
 
 
 def write_json(path, value):

@@ -1,7 +1,7 @@
 """From a simulated curve to what a laboratory writes down: errors of scale and zero, noise of the rows, thinning, units, digits."""
 import math
 
-# Standard deviations of the instruments, as the measured file states them (docs/measured_data.md).
+# Standard deviations of the instruments, as the measured file states them (docs/measured_data.md). A worse laboratory multiplies all.
 INSTRUMENT = {"load_noise_percent": 0.3, "displacement_noise_percent": 0.1, "transverse_noise_percent": 0.5, "load_scale_percent": 1.0,
               "load_zero_percent": 0.2, "displacement_scale_percent": 0.5, "displacement_zero_mm": 0.02}
 ROWS = (200, 280)  # kept of a specimen's curve; simulated ones have 300 and more
@@ -38,9 +38,14 @@ def kept_columns(test, suite):
     return [n for n in names if n != "gauge"] if suite == "poor" else names + ["events"]
 
 
-def draw_test_errors(rng):
+def instrument_of(noise):
+    return {name: noise * deviation for name, deviation in INSTRUMENT.items()}
+
+
+def draw_test_errors(instrument, rng):
     """Errors that all specimens of one test share."""
-    return {"load": 1 + rng.gauss(0, INSTRUMENT["load_scale_percent"] / 100), "path": 1 + rng.gauss(0, INSTRUMENT["displacement_scale_percent"] / 100)}
+    names = {"load": "load_scale_percent", "path": "displacement_scale_percent"}
+    return {column: 1 + rng.gauss(0, instrument[name] / 100) for column, name in names.items()}
 
 
 def add_noise(values, percent, rng):
@@ -56,19 +61,19 @@ def thinned(curve, rng):
     return {name: [values[i] for i in chosen] for name, values in curve.items()}
 
 
-def recorded(curve, test, errors, rng):
+def recorded(curve, test, instrument, errors, rng):
     """One specimen's curve with the instrument's errors: of the test, of the specimen, of each row."""
     curve = thinned(curve, rng)
     length = test.keys.get("height_mm", 1.0)  # the path of a compression is a strain
-    zero = rng.gauss(0, INSTRUMENT["displacement_zero_mm"]) / length
-    offset = rng.gauss(0, INSTRUMENT["load_zero_percent"] / 100) * max(curve["load"])
-    curve["path"] = add_noise([errors["path"] * v + zero for v in curve["path"]], INSTRUMENT["displacement_noise_percent"], rng)
-    curve["load"] = add_noise([errors["load"] * v + offset for v in curve["load"]], INSTRUMENT["load_noise_percent"], rng)
+    zero = rng.gauss(0, instrument["displacement_zero_mm"]) / length
+    offset = rng.gauss(0, instrument["load_zero_percent"] / 100) * max(curve["load"])
+    curve["path"] = add_noise([errors["path"] * v + zero for v in curve["path"]], instrument["displacement_noise_percent"], rng)
+    curve["load"] = add_noise([errors["load"] * v + offset for v in curve["load"]], instrument["load_noise_percent"], rng)
     if "gauge" in curve:
-        curve["gauge"] = add_noise(curve["gauge"], INSTRUMENT["displacement_noise_percent"], rng)
+        curve["gauge"] = add_noise(curve["gauge"], instrument["displacement_noise_percent"], rng)
     for name in TRANSVERSE:
         if name in curve and max(map(abs, curve[name])) > 0:
-            curve[name] = add_noise(curve[name], INSTRUMENT["transverse_noise_percent"], rng)
+            curve[name] = add_noise(curve[name], instrument["transverse_noise_percent"], rng)
     return curve
 
 

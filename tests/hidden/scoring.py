@@ -7,6 +7,7 @@ MOST_NAMES = 3  # a larger set says "cannot tell"
 RATES = {
     "detected": ("detected", lambda r: True),
     "truth in the set": ("in_set", lambda r: r["detected"]),
+    "truth among all names": ("among_all", lambda r: r["detected"]),
     "one of two true causes": ("partly", lambda r: r["detected"]),
     "wrong single name": ("wrong_single", lambda r: r["detected"]),
     "wrong pair": ("wrong_pair", lambda r: r["detected"]),
@@ -28,6 +29,7 @@ def judge(truth, verdict):
     return {
         "status": status, "causes": sorted(causes), "detected": status != "nothing_found",
         "in_set": bool(hidden) and tells and hidden <= causes,
+        "among_all": bool(hidden) and hidden <= causes,
         "partly": bool(hidden & causes) and tells,
         "wrong_single": status == "named" and not causes <= allowed,
         "wrong_pair": status == "two_causes" and not causes & allowed,
@@ -64,6 +66,7 @@ def by_alarm_level(rows):
                     "names on null data": rate(at, "wrong_single", lambda r: r["kind"] == "null"),
                     "detected": rate(at, "detected", is_effect),
                     "truth in the set": rate(at, "in_set", lambda r: is_effect(r) and r["detected"]),
+                    "truth among all names": rate(at, "among_all", lambda r: is_effect(r) and r["detected"]),
                     "wrong single name": rate(at, "wrong_single", lambda r: is_effect(r) and r["detected"])} for level, at in seen.items()}
 
 

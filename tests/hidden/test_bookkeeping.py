@@ -8,6 +8,7 @@ import draw
 import effects
 import hidden_support
 import pool as pool_module
+import removed
 import scoring
 import series
 from hidden_support import BASE, LIBRARY, SCRATCH, SOURCE
@@ -85,7 +86,8 @@ def truth(*names, edge=1.0, outside=None):
 class Scoring(unittest.TestCase):
     def assert_judged(self, hidden, found, **expected):
         judged = scoring.judge(hidden, found)
-        for key in ("detected", "in_set", "wrong_single", "wrong_pair", "unexplained", "cannot_tell"):
+        expected = {"among_all": expected.get("in_set", False)} | expected
+        for key in ("detected", "in_set", "among_all", "wrong_single", "wrong_pair", "unexplained", "cannot_tell"):
             self.assertEqual(judged[key], expected.get(key, False), (key, found))
 
     def test_verdicts_against_what_is_hidden(self):
@@ -94,7 +96,8 @@ class Scoring(unittest.TestCase):
         self.assert_judged(seating, verdict("named", "seating"), detected=True, in_set=True)
         self.assert_judged(seating, verdict("named", "damping"), detected=True, wrong_single=True)
         self.assert_judged(seating, verdict("indistinguishable", "damping", "seating"), detected=True, in_set=True)
-        self.assert_judged(seating, verdict("indistinguishable", "seating", "a", "b", "c"), detected=True, cannot_tell=True)
+        self.assert_judged(seating, verdict("indistinguishable", "seating", "a", "b", "c"), detected=True, among_all=True, cannot_tell=True)
+        self.assert_judged(seating, verdict("indistinguishable", "a", "b", "c", "d"), detected=True, cannot_tell=True)
         self.assert_judged(seating, verdict("two_causes", "a", "b"), detected=True, wrong_pair=True)
         self.assert_judged(seating, verdict("unexplained"), detected=True, unexplained=True)
         self.assert_judged(truth(), verdict("named", "damping"), detected=True, wrong_single=True)
@@ -136,12 +139,22 @@ class Scoring(unittest.TestCase):
         found = scoring.by_alarm_level(rows)
         count = {level: {name: (r["count"], r["of"]) for name, r in rates.items()} for level, rates in found.items()}
         self.assertEqual(count["0.01"], {"alarms on null data": (1, 3), "names on null data": (0, 3), "detected": (1, 2),
-                                         "truth in the set": (1, 1), "wrong single name": (0, 1)})
+                                         "truth in the set": (1, 1), "truth among all names": (1, 1), "wrong single name": (0, 1)})
         self.assertEqual(count["0.03"]["detected"], (2, 2))
         self.assertEqual(count["0.03"]["wrong single name"], (1, 2))
         self.assertEqual(count["0.03"]["names on null data"], (0, 3))
         self.assertEqual(count["run"]["names on null data"], (1, 3))
         self.assertNotIn("0.05", count)  # as it was run
+
+    def test_a_name_instead_of_a_missing_one_is_right_only_for_its_twin(self):
+        whole = {"cosines": [{"ids": ["seating", "damping"], "cosine": -0.95}, {"ids": ["frame", "seating"], "cosine": 0.3}]}
+        self.assertEqual([removed.cosine_with(whole, "seating", other) for other in ("damping", "frame", "skin")], [0.95, 0.3, None])
+        named = verdict("named", "x")
+        self.assertEqual([removed.answer(named, [c]) for c in (0.95, 0.3, None)], ["named a twin", "named another", "named another"])
+        tie = verdict("indistinguishable", "x", "y")
+        self.assertEqual([removed.answer(tie, [None, c]) for c in (0.95, 0.3)], ["a tie with a twin", "a tie without one"])
+        self.assertEqual(removed.answer(verdict("unexplained"), []), "unexplained")
+        self.assertTrue({removed.answer(verdict(s), []) for s in ("nothing_found", "unexplained", "two_causes")} < set(removed.ANSWERS))
 
     def test_gain_of_verdicts_without_an_extension_is_left_out(self):
         none = {"elpd_change": None, "elpd_interval_90": None}

@@ -153,24 +153,36 @@ class OutsideEffects(unittest.TestCase):
 
 
 class Recording(unittest.TestCase):
-    def test_errors_have_the_declared_sizes(self):
-        test = laboratory.TESTS["U"]
+    def assert_errors(self, noise):
+        test, instrument = laboratory.TESTS["U"], recording.instrument_of(noise)
         path = [i / 4000 * 0.01 for i in range(4000)]
         line = {"path": path, "load": [1000 * p for p in path], "lateral_strain": list(path)}
         scales, zeros, rows = [], [], []
         for i in range(400):
             rng = draw.stream("errors", i)
-            errors = recording.draw_test_errors(rng)
+            errors = recording.draw_test_errors(instrument, rng)
             scales.append(errors["load"] - 1)
-            found = recording.recorded(line, test, errors, rng)
+            found = recording.recorded(line, test, instrument, errors, rng)
             shift = [1000 * p * errors["load"] / errors["path"] - load for p, load in zip(found["path"], found["load"])]
             zeros.append(statistics.fmean(shift))
             rows.append(statistics.pstdev(found["lateral_strain"][i] - p / errors["path"] for i, p in enumerate(found["path"])))
         tolerance = 0.11  # of a standard deviation from 400 draws: three times 1/sqrt(800)
-        self.assertAlmostEqual(statistics.pstdev(scales) / 0.01, 1, delta=tolerance)
-        expected = math.hypot(0.02 / 100 * 1000, 0.002 * 10)  # the path's zero in MPa, and the load's
+        self.assertAlmostEqual(statistics.pstdev(scales) / (0.01 * noise), 1, delta=tolerance)
+        expected = noise * math.hypot(0.02 / 100 * 1000, 0.002 * 10)  # the path's zero in MPa, and the load's
         self.assertAlmostEqual(statistics.pstdev(zeros) / expected, 1, delta=tolerance)
-        self.assertAlmostEqual(statistics.fmean(rows) / (0.01 * math.hypot(0.005, 0.001)), 1, delta=0.05)
+        self.assertAlmostEqual(statistics.fmean(rows) / (0.01 * noise * math.hypot(0.005, 0.001)), 1, delta=0.05)
+
+    def test_errors_have_the_declared_sizes(self):
+        for noise in (1.0, 4.0):
+            with self.subTest(noise=noise):
+                self.assert_errors(noise)
+
+    def test_a_worse_laboratory_states_its_errors_and_has_the_same_specimens(self):
+        good, bad = (dataset.Plan("quick", 3, 1, 4, noise=noise) for noise in (1.0, 4.0))
+        drawn = dataset.draw_set(good, effects.Effects(), "worse")
+        self.assertEqual(dataset.needed_configs(BASE, good, drawn), dataset.needed_configs(BASE, bad, drawn))
+        self.assertEqual(dataset.measured_json(good, drawn)["instrument"], recording.INSTRUMENT)
+        self.assertEqual(dataset.measured_json(bad, drawn)["instrument"]["load_scale_percent"], 4 * recording.INSTRUMENT["load_scale_percent"])
 
     def test_rows_are_a_part_of_the_curve_of_varying_number_in_order(self):
         curve = {"path": list(range(500)), "load": list(range(500))}
