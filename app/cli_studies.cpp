@@ -22,6 +22,10 @@ void add_campaign_options(CLI::App& command, CampaignSessionOptions& options) {
   command.add_flag("--quiet", options.quiet, "No progress on stderr");
 }
 
+void add_force(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, "Replaces results of another configuration or of other data in that folder");
+}
+
 }  // namespace
 
 void add_audit(CLI::App& cli, Action& action) {
@@ -102,6 +106,7 @@ void add_calibrate(CLI::App& cli, Action& action) {
       ->add_option("--out", options->out,
                    "Folder for calibration.json, report.html and configs; default outputs/<name>/")
       ->type_name(kFolder);
+  add_force(*command, options->force);
   add_campaign_options(*command, options->session);
   command->footer(
       "Examples:\n  asperity calibrate configs/calibration/plaster.json\n"
@@ -121,6 +126,7 @@ void add_confront(CLI::App& cli, Action& action) {
   command
       ->add_option("--out", options->out, "Folder for verdict.json, report.html and configs; default outputs/<name>/")
       ->type_name(kFolder);
+  add_force(*command, options->force);
   command->add_option("--write-bank", options->write_bank, "File for the features of all runs, to be shipped as a bank")
       ->type_name(kFile);
   command

@@ -20,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::vector<std::string> kResults{"calibration.json", "report.html", "configs", "plots", "pictures"};
+
 void print_verification(const SimulatedResult& result) {
   for (const Verification& v : result.verified.verification) {
     std::cout << v.property << " " << v.mean << " +- " << v.sd << " (target " << v.target << ", " << v.values.size()
@@ -31,10 +33,8 @@ int calibrate_simulated(const CalibrateCommandOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const SimulatedCalibration calibration = read_simulated_calibration(options.config, options.overrides);
   const fs::path out = options.out.value_or(default_run_folder(calibration.name));
-  make_folder_with_config(out, options.config);
-  Manifest manifest = started_manifest();
-  manifest.config_name = calibration.name;
-  write_manifest(out / "manifest.json", manifest);
+  Manifest manifest = begin_study({out, calibration.name, calibration.config_hash, kResults}, options.config,
+                                  options.force ? ExistingRun::replace : ExistingRun::keep);
   const Simulator simulate = [&](const std::string& stage, const std::vector<CampaignRun>& runs) {
     const std::vector<CampaignOutcome> outcomes = compute_campaign(stage, runs, calibration.slurm, options.session);
     tell_failures(outcomes);

@@ -123,6 +123,7 @@ struct CalibrateCommandOptions {
   std::filesystem::path config;
   std::vector<std::string> overrides;
   std::optional<std::filesystem::path> out;  ///< Unset: outputs/<calibration name>/.
+  bool force = false;                        ///< Replaces another study's results in that folder.
   CampaignSessionOptions session;
 };
 
@@ -132,6 +133,7 @@ struct ConfrontCommandOptions {
   std::filesystem::path config;
   std::vector<std::string> overrides;
   std::optional<std::filesystem::path> out;  ///< Unset: outputs/<confrontation name>/.
+  bool force = false;                        ///< Replaces another study's results in that folder.
   std::optional<std::filesystem::path> write_bank;
   double check_share = 0;  ///< Of the runs taken from the bank, computed again and compared.
   std::uint64_t check_seed = 1;

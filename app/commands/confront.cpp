@@ -21,6 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::vector<std::string> kResults{"verdict.json", "shown.json", "report.html", "report.md",
+                                        "configs",      "plots",      "pictures"};
+
 void print_verdict(const Confrontation& confrontation, const FeatureCost& cost) {
   std::cout << "status " << word(confrontation.conclusion.status);
   for (const std::string& cause : verdict_causes(confrontation)) std::cout << " " << cause;
@@ -83,10 +86,8 @@ int confront_command(const ConfrontCommandOptions& options) {
   if (options.session.quiet) set_log_echo(LogEcho::errors);
   const ConfrontationConfig config = read_confrontation(options.config, options.overrides);
   const fs::path out = options.out.value_or(default_run_folder(config.name));
-  make_folder_with_config(out, options.config);
-  Manifest manifest = started_manifest();
-  manifest.config_name = config.name;
-  write_manifest(out / "manifest.json", manifest);
+  Manifest manifest = begin_study({out, config.name, confrontation_hash(config), kResults}, options.config,
+                                  options.force ? ExistingRun::replace : ExistingRun::keep);
   try {
     carry_through(options, config, out);
   } catch (const CalibrationInterrupted&) {

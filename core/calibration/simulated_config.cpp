@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/sha256.hpp"
 #include "core/base/units.hpp"
 #include "core/calibration/config_sections.hpp"
 #include "core/calibration/data_calibration.hpp"
@@ -29,6 +30,11 @@ constexpr const char* kFriction = "friction_angle_deg";
 
 void throw_if(const std::vector<Fault>& faults) {
   if (!faults.empty()) throw Error(ErrorKind::config, faults);
+}
+
+std::string hash_of(json document) {
+  for (const char* elsewhere : {"$schema", "slurm"}) document.erase(elsewhere);
+  return sha256_hex(document.dump());
 }
 
 json read_document(const fs::path& path, const std::vector<std::string>& overrides) {
@@ -242,6 +248,7 @@ SimulatedCalibration read_simulated_calibration(const fs::path& path, const std:
   SimulatedCalibration c;
   c.name = document.value("name", path.stem().string());
   c.description = document.value("description", "");
+  c.config_hash = hash_of(document);
   c.targets = read_targets(ordered, faults);
   c.factors = read_factors(ordered, faults);
   c.analysis = read_analysis(ordered, faults);

@@ -27,6 +27,7 @@ struct VerificationMeshes {
 
 struct SimulatedCalibration {
   std::string name, description;
+  std::string config_hash;  ///< Of the file with its overrides, but for where runs are computed.
   std::vector<Target> targets;
   std::vector<Factor> factors;
   StarDistance star = StarDistance::rotatable;

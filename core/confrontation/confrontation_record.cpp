@@ -184,6 +184,14 @@ VerdictContext verdict_context(const ConfrontationConfig& config, const Confront
   return context;
 }
 
+std::string confrontation_hash(const ConfrontationConfig& config) {
+  nlohmann::json document = config.document;
+  for (const char* elsewhere : {"$schema", "slurm", "bank"}) document.erase(elsewhere);
+  ordered_json json{{"document", std::move(document)}, {"data", data_numbers(config.measured)}};
+  for (const auto& [experiment, base] : config.bases) json["bases"].push_back(ordered_json(base.document));
+  return sha256_hex(json.dump());
+}
+
 std::string write_extended_configs(const ConfrontationConfig& config, const Confrontation& confrontation,
                                    const fs::path& folder) {
   std::error_code error;

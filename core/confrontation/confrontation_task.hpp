@@ -23,6 +23,10 @@ std::vector<double> theta_at(const ConfrontationConfig& config, const Eigen::Vec
 VerdictContext verdict_context(const ConfrontationConfig& config, const ConfrontationTask& task,
                                const Confrontation& confrontation);
 
+/// What decides a verdict: the file with its overrides but for where runs are computed, the measured numbers, the
+/// bases. A sha256 in hexadecimal digits.
+std::string confrontation_hash(const ConfrontationConfig& config);
+
 /// Writes the best extension (or, without one, the calibrated base) as one run configuration a test into
 /// `folder`/configs, and returns the first one's path relative to `folder`. Throws Error(output).
 std::string write_extended_configs(const ConfrontationConfig& config, const Confrontation& confrontation,

@@ -66,6 +66,35 @@ class Confront(support.CommandLineTest):
         self.assertEqual({i["src"] for i in page.images}, {"plots/residuals.png", "plots/fingerprints.png", "plots/cosines.png",
                                                            "pictures/brazilian.png"})
 
+    def test_results_of_other_data_are_kept_unless_force_is_given(self):
+        folder = SCRATCH / "kept"
+        words = ("--store", SCRATCH / "store", "--out", folder, "--quiet", "--no-report")
+        self.assertEqual(asperity("confront", CONFRONTATION, *words).returncode, 0)
+        (folder / "plots").mkdir()
+        before = (folder / "verdict.json").read_bytes()
+        self.assertEqual(asperity("confront", CONFRONTATION, *words).returncode, 0)  # the same: goes on
+        refused = asperity("confront", CONFRONTATION, *words, "--set", "/seed=2")
+        self.assertEqual(refused.returncode, 5, refused.stderr)
+        self.assertIn("holds results of another configuration or of other data", refused.stderr)
+        self.assertIn("--force", refused.stderr)
+        self.assertEqual((folder / "verdict.json").read_bytes(), before)
+        replaced = asperity("confront", CONFRONTATION, *words, "--set", "/seed=2", "--force")
+        self.assertEqual(replaced.returncode, 0, replaced.stderr)
+        self.assertFalse((folder / "plots").exists())
+        manifest = json.loads((folder / "manifest.json").read_text())
+        self.assertEqual((manifest["outcome"], len(manifest["config_hash"])), ("finished", 64))
+
+    def test_results_of_a_measured_file_that_has_changed_are_kept(self):
+        mine = SCRATCH / "mine.json"
+        measured = json.loads((HERE / "tiny_confrontation_measured.json").read_text())
+        mine.write_text(json.dumps(measured))
+        words = ("confront", CONFRONTATION, "--store", SCRATCH / "store", "--out", SCRATCH / "mine", "--quiet", "--no-report", "--set", f"/measured={mine}")
+        self.assertEqual(asperity(*words).returncode, 0)
+        results = measured["tests"][0]["results"]
+        results["tensile_strength_mpa"] = [1.01 * v for v in results["tensile_strength_mpa"]]
+        mine.write_text(json.dumps(measured))
+        self.assertEqual(asperity(*words).returncode, 5)
+
     def test_the_markdown_has_the_same_chapters_and_pictures(self):
         text = (self.folder / "report.md").read_text()
         self.assertEqual(re.findall(r"^## (.*)$", text, re.M), self.page(self.folder).sections())

@@ -61,6 +61,13 @@ def thinned(curve, rng):
     return {name: [values[i] for i in chosen] for name, values in curve.items()}
 
 
+def without_a_false_start(curve, pressure):
+    """Leading rows that show less than half the confining pressure are left out: what a reader of measured files takes for a
+    stress difference."""
+    start = next(i for i, load in enumerate(curve["load"]) if load >= 0.5 * pressure) if pressure else 0
+    return {name: values[start:] for name, values in curve.items()}
+
+
 def recorded(curve, test, instrument, errors, rng):
     """One specimen's curve with the instrument's errors: of the test, of the specimen, of each row."""
     curve = thinned(curve, rng)
@@ -74,7 +81,7 @@ def recorded(curve, test, instrument, errors, rng):
     for name in TRANSVERSE:
         if name in curve and max(map(abs, curve[name])) > 0:
             curve[name] = add_noise(curve[name], instrument["transverse_noise_percent"], rng)
-    return curve
+    return without_a_false_start(curve, test.keys.get("confining_pressure_mpa"))
 
 
 def bare_name(column):

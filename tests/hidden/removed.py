@@ -9,6 +9,7 @@ import argparse
 import concurrent.futures
 import json
 import pathlib
+import shutil
 
 import scoring
 import series
@@ -36,11 +37,12 @@ def answer(verdict, cosines):
 def confronted_without(confronter, suite, folder, hidden, settings):
     whole = json.loads((folder / "verdict" / "verdict.json").read_text())
     measured = next((folder / "data").glob("D*.json"))
+    shutil.rmtree(folder / "removed", ignore_errors=True)
     verdict = confronter.verdict(measured, folder / "removed", suite, [*settings, ("/without", [hidden])])
     if hidden in verdict["causes"]:
         raise RuntimeError(f"{folder} names {hidden}, which its library did not have")
     cosines = [cosine_with(whole, hidden, cause) for cause in verdict["causes"]]
-    return {"hidden": hidden, "with": [whole["status"], *whole["causes"]], "status": verdict["status"], "causes": verdict["causes"],
+    return {"hidden": hidden, "status": verdict["status"], "causes": verdict["causes"],
             "cosines": cosines, "answer": answer(verdict, cosines)}
 
 
@@ -60,6 +62,7 @@ def main():
     confronter = Confronter(o.binary.resolve(), o.source.resolve(), o.store or o.source / "outputs/hidden_store", 1)
     rows = [json.loads(line) for line in (own.series / "rows.jsonl").read_text().splitlines()]
     settings = [("/alarm_level", o.alarm_level)] if o.alarm_level else []
+    rows = [scoring.at_alarm_level(row, o.alarm_level) if o.alarm_level else row for row in rows]
     seen = [(own.series / f"set_{i:05}", row["truth"]["mechanisms"][0][0]) for i, row in enumerate(rows)
             if row["detected"] and len(row["truth"]["mechanisms"]) == 1 and row["truth"]["edge_factor"] == 1.0]
     results = []

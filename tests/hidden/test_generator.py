@@ -177,6 +177,11 @@ class Recording(unittest.TestCase):
             with self.subTest(noise=noise):
                 self.assert_errors(noise)
 
+    def test_rows_below_half_the_confining_pressure_are_left_out_at_the_start_alone(self):
+        curve = {"load": [0.1, 0.3, 0.6, 0.2, 0.9], "path": [0, 1, 2, 3, 4]}
+        self.assertEqual(recording.without_a_false_start(curve, 1.0), {"load": [0.6, 0.2, 0.9], "path": [2, 3, 4]})
+        self.assertEqual(recording.without_a_false_start(curve, None), curve)
+
     def test_a_worse_laboratory_states_its_errors_and_has_the_same_specimens(self):
         good, bad = (dataset.Plan("quick", 3, 1, 4, noise=noise) for noise in (1.0, 4.0))
         drawn = dataset.draw_set(good, effects.Effects(), "worse")
