@@ -55,7 +55,7 @@ class GeneratedFiles(unittest.TestCase):
         self.assertEqual(set(tests), set(laboratory.SUITES["rich"]))
         self.assertEqual({id: tests[id]["loop_count"]["mean"] for id in tests}, {id: float(id in ("U", "T3")) for id in tests})
         files = bytes_below(path.parent)
-        self.assertEqual(sorted(files), sorted([path.name, *(f"T{n}.csv" for n in range(1, 8))]))
+        self.assertEqual(sorted(files), sorted([path.name, *(f"T{n}.csv" for n in range(1, 9))]))
         data = json.loads(files[path.name])
         self.assertLessEqual(set(data), FILE_KEYS)
         for test in data["tests"]:

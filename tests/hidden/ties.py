@@ -19,7 +19,7 @@ from pool import Pool
 from verdicts import Confronter
 
 NEW = "N"  # id of the further test
-ADDED = "T8.csv"
+ADDED = "added.csv"
 
 
 def further(parent, **keys):
