@@ -7,9 +7,11 @@ namespace {
 
 using Eigen::Index;
 
-void sort_by_misfit(std::vector<HypothesisFit>& fits) {
-  std::stable_sort(fits.begin(), fits.end(),
-                   [](const HypothesisFit& a, const HypothesisFit& b) { return a.misfit < b.misfit; });
+/// By likelihood, Eq. (N23).
+void sort_by_likelihood(std::vector<HypothesisFit>& fits) {
+  std::stable_sort(fits.begin(), fits.end(), [](const HypothesisFit& a, const HypothesisFit& b) {
+    return a.misfit + a.widening < b.misfit + b.widening;
+  });
 }
 
 std::vector<HypothesisFit> kept_of(const std::vector<HypothesisFit>& fits) {
@@ -67,7 +69,7 @@ Conclusion conclude(const Comparison& comparison, const Scatter& scatter, const 
   const std::vector<Hypothesis> hypotheses = make(one_each(refit_candidates(gate, options)));
   if (hypotheses.empty()) return conclusion;
   conclusion.singles = judge(comparison, scatter, fit, candidates, hypotheses, options);
-  sort_by_misfit(conclusion.singles);
+  sort_by_likelihood(conclusion.singles);
   conclusion.kept = kept_of(conclusion.singles);
   if (conclusion.kept.size() > 1) {
     conclusion.status = VerdictStatus::indistinguishable;
@@ -89,7 +91,7 @@ Conclusion conclude(const Comparison& comparison, const Scatter& scatter, const 
   if (pairs.empty()) return conclusion;
   conclusion.pairs = judge(comparison, scatter, fit, candidates, make(pairs), options);
   for (HypothesisFit& pair : conclusion.pairs) pair.kept = pair.kept && both_act(pair);
-  sort_by_misfit(conclusion.pairs);
+  sort_by_likelihood(conclusion.pairs);
   const std::vector<HypothesisFit> kept = kept_of(conclusion.pairs);
   if (kept.empty()) return conclusion;
   conclusion.kept = kept;

@@ -150,7 +150,9 @@ HypothesisFit fit_hypothesis(const MatrixXd& covariance, const std::vector<Candi
   fit.amplitude = h.amplitude;
   fit.coded = h.coded;
   fit.residual = h.difference;
-  fit.misfit = WhitenedFrame(own, MatrixXd(own.rows(), 0)).whiten(h.difference).squaredNorm();
+  const MatrixXd no_nuisance(own.rows(), 0);
+  fit.misfit = WhitenedFrame(own, no_nuisance).whiten(h.difference).squaredNorm();
+  fit.widening = frame.log_determinant() - WhitenedFrame(covariance, no_nuisance).log_determinant();
   if (!h.by_runs) move_to_linear_fit(frame, refit(frame, h.difference, h, candidates), h, fit);
   fit.covariance = frame.information_inverse(beside(h.jacobian, slopes_at(h, fit.amplitude - h.amplitude)));
   fit.amplitude_error = fit.covariance.diagonal().tail(fit.amplitude.size()).array().sqrt();

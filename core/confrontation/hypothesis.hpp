@@ -31,7 +31,8 @@ struct HypothesisFit {
   Eigen::MatrixXd covariance;  ///< Of parameters and amplitudes together.
   double misfit = 0;           ///< T_k
   double p_misfit = 0;         ///< Share of draws under this hypothesis that fit no better.
-  double excess = 0;           ///< T_k less the least T of all hypotheses.
+  double widening = 0;         ///< ln det of its covariance over that without the bend, Eq. (N23).
+  double excess = 0;           ///< T_k + widening less the least of all hypotheses, Eq. (N23).
   double p_excess = 0;         ///< Share of draws under this hypothesis in which it lies as far behind the best.
   bool converged = true;       ///< As the hypothesis says.
   bool kept = false;           ///< Both shares at or above the level: it may be the cause.

@@ -40,7 +40,7 @@ std::string stream_name(const std::vector<Index>& causes, const std::vector<Cand
   return name;
 }
 
-/// Draws under hypothesis `k`: how well it then fits, and how far behind the best of all it then lies.
+/// Draws under hypothesis `k`: how well it then fits, and how far behind the best of all it then lies, Eq. (N23).
 void judge_one(const Comparison& comparison, const Scatter& scatter, const BaseFit& base,
                const std::vector<Candidate>& candidates, const std::vector<Hypothesis>& hypotheses,
                const NamingOptions& options, std::size_t k, HypothesisFit& fit) {
@@ -54,10 +54,12 @@ void judge_one(const Comparison& comparison, const Scatter& scatter, const BaseF
       const VectorXd difference = h.difference - fit.residual + noise.error;
       const WhitenedFrame frame(bent_covariance(noise.covariance, h), h.jacobian);
       const double misfit = refit(frame, difference, h, candidates).misfit;
-      best = std::min(best, misfit);
-      if (j == k) own = misfit;
+      const double deviance = misfit + frame.log_determinant();
+      best = std::min(best, deviance);
+      if (j != k) continue;
+      misfits.push_back(misfit);
+      own = deviance;
     }
-    misfits.push_back(own);
     excesses.push_back(own - best);
   }
   fit.p_misfit = share_above(misfits, fit.misfit);
@@ -101,10 +103,10 @@ std::vector<HypothesisFit> judge(const Comparison& comparison, const Scatter& sc
   double best = std::numeric_limits<double>::max();
   for (const Hypothesis& h : hypotheses) {
     fits.push_back(fit_hypothesis(scatter.covariance, candidates, h));
-    best = std::min(best, fits.back().misfit);
+    best = std::min(best, fits.back().misfit + fits.back().widening);
   }
   for (std::size_t k = 0; k < fits.size(); ++k) {
-    fits[k].excess = fits[k].misfit - best;
+    fits[k].excess = fits[k].misfit + fits[k].widening - best;
     judge_one(comparison, scatter, fit, candidates, hypotheses, options, k, fits[k]);
   }
   return fits;

@@ -129,6 +129,8 @@ WhitenedFrame::WhitenedFrame(const MatrixXd& covariance, const MatrixXd& nuisanc
   nuisance_ = svd.matrixU().leftCols(svd.rank());
 }
 
+double WhitenedFrame::log_determinant() const { return 2.0 * lower_.diagonal().array().log().sum(); }
+
 MatrixXd WhitenedFrame::whiten(const MatrixXd& columns) const {
   return lower_.triangularView<Eigen::Lower>().solve(columns);
 }

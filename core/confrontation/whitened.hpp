@@ -21,6 +21,7 @@ class WhitenedFrame {
   Eigen::VectorXd solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& difference) const;
   /// (X' X)^-1 of the whitened columns: the covariance of their coefficients, directions without effect held at 0.
   Eigen::MatrixXd information_inverse(const Eigen::MatrixXd& columns) const;
+  double log_determinant() const;                             ///< ln det of the covariance.
   Eigen::Index absorbed() const { return nuisance_.cols(); }  ///< Number of directions taken out.
 
  private:

@@ -1,6 +1,7 @@
 #include "core/confrontation/hypothesis.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "core/confrontation/naming.hpp"
 #include "tests/support/toy_laboratory.hpp"
@@ -115,6 +116,30 @@ TEST_CASE("a bend excuses no effect of another kind") {
   }
   CAPTURE(kept);
   CHECK(kept <= 2);
+}
+
+TEST_CASE("a cause that would explain anything is no match for one that explains what is there") {
+  toy::World world;
+  toy::Hidden hidden = toy::nothing(world);
+  hidden.amplitudes(kCause) = 1.0;
+  const Evidence evidence = toy::evidence(world, hidden, 4);
+  const Comparison comparison = compare(evidence, TestUse::fit);
+  const Scatter scatter = scatter_of(comparison, {});
+  const BaseFit base = calibrate_base(comparison, scatter.covariance, evidence.parameters);
+  const Hypothesis truth = linear_hypothesis(comparison, base, {kCause});
+  Hypothesis vague = linear_hypothesis(comparison, base, {kCause + 1});
+  vague.bend = 6.0 * scatter.covariance.diagonal().array().sqrt();
+  NamingOptions options;
+  options.draws.draws = 200;
+  const std::vector<HypothesisFit> fits =
+      judge(comparison, scatter, base, evidence.candidates, {truth, vague}, options);
+  CHECK(fits[1].misfit < fits[0].misfit);
+  CHECK(fits[0].widening == 0.0);
+  // ln det(V + 36 diag V) - ln det V is least where V is diagonal (Jensen, over the eigenvalues of its correlation).
+  CHECK(fits[1].widening > static_cast<double>(truth.difference.size()) * std::log(37.0) - 1e-6);
+  CHECK(fits[0].kept);
+  CHECK(fits[0].excess == 0.0);
+  CHECK(!fits[1].kept);
 }
 
 TEST_CASE("a hypothesis by runs is judged by the scatter of its own runs, not by that of the effect's first ones") {
