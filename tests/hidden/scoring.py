@@ -51,7 +51,7 @@ def at_alarm_level(row, level):
     """The row as a smaller level would have had it: beyond the gate a verdict does not depend on it."""
     if row["p_explained"] < level or row["p_misfit"] < MISFIT_LEVEL:
         return row
-    return row | {"status": "nothing_found", "causes": []} | {key: False for key, _ in RATES.values()}
+    return row | {"status": "nothing_found", "causes": [], "gain": None} | {key: False for key, _ in RATES.values()}
 
 
 def by_alarm_level(rows):

@@ -40,7 +40,7 @@ def options(arguments):
     parser.add_argument("--meshes", type=int, default=8, help="specimens of a test of a block, from which data sets take theirs")
     parser.add_argument("--alarm-level", type=float, help="of the confrontations; default theirs. Rates are told for each smaller one, too")
     parser.add_argument("--seed", help="default: drawn")
-    parser.add_argument("--rocks", default="1", help="seed of blocks of rock and of specimens' meshes: another one needs a pool of its own")
+    parser.add_argument("--rocks", default="1", help="seed of blocks of rock and of specimens' meshes: another one needs runs of its own")
     parser.add_argument("--noise", type=float, default=1.0, help="factor on the instrument's errors, which the measured file states")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--pool", type=pathlib.Path)

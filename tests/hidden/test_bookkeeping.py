@@ -11,6 +11,7 @@ import pool as pool_module
 import removed
 import scoring
 import series
+import together
 from hidden_support import BASE, LIBRARY, SCRATCH, SOURCE
 
 STAND_IN = SOURCE / "tests/hidden/stand_in.py"
@@ -145,6 +146,19 @@ class Scoring(unittest.TestCase):
         self.assertEqual(count["0.03"]["names on null data"], (0, 3))
         self.assertEqual(count["run"]["names on null data"], (1, 3))
         self.assertNotIn("0.05", count)  # as it was run
+        claimed = rows[0] | {"gain": {"elpd_change": 2.0, "claimed": True}}
+        self.assertIsNone(scoring.at_alarm_level(claimed, 0.01)["gain"])  # nothing found, nothing claimed
+        self.assertEqual(scoring.at_alarm_level(claimed, 0.05), claimed)
+
+    def test_series_together_part_rocks_with_other_particles(self):
+        def row(edge, found):
+            hidden = truth("seating", edge=edge)
+            return {"kind": "amplitude 1", "case": "seating@1", "truth": hidden, **scoring.judge(hidden, found)}
+        rows = [row(1.0, verdict("named", "seating")), row(1.15, verdict("named", "damping")), row(0.85, verdict("nothing_found"))]
+        rates = {name: scoring.rates(group)["wrong single name"] for name, group in together.groups_of(rows).items()}
+        self.assertEqual({name: (r["count"], r["of"]) for name, r in rates.items()}, {
+            "amplitude 1": (1, 2), "amplitude 1, the base's particles": (0, 1), "amplitude 1, other particles": (1, 1)})
+        self.assertIn("amplitude 1, detected: 2/3", together.text_of(rows))
 
     def test_a_name_instead_of_a_missing_one_is_right_only_for_its_twin(self):
         whole = {"cosines": [{"ids": ["seating", "damping"], "cosine": -0.95}, {"ids": ["frame", "seating"], "cosine": 0.3}]}

@@ -1,0 +1,52 @@
+"""Rates of several series of one suite together: together.py FOLDER... [--alarm-level 0.01] [--confusion FILE].
+
+FOLDER is a series' own, with rows.jsonl; the level is at most the one that they were run at. By kind of data set, for effects also by
+whether the rock has the base's particles or others, which is a second effect. FILE is for `asperity report --confusion`.
+"""
+import argparse
+import json
+import pathlib
+
+import dataset
+import scoring
+
+
+def groups_of(rows):
+    """Named groups of judged rows."""
+    groups = {}
+    for row in rows:
+        names = [row["kind"]]
+        if scoring.is_effect(row):
+            particles = "the base's" if row["truth"]["edge_factor"] == 1.0 else "other"
+            names.append(f"{row['kind']}, {particles} particles")
+        for name in names:
+            groups.setdefault(name, []).append(row)
+    return groups
+
+
+def text_of(rows):
+    lines = []
+    for name, group in sorted(groups_of(rows).items()):
+        lines += [f"{name}, {rate}: {scoring.rate_text(r)}" for rate, r in scoring.rates(group).items() if r["of"]]
+        gain = scoring.gain_summary(group)
+        lines += [f"{name}, gain, {of}: {value:.3g}" for of, value in (gain or {}).items()]
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("series", type=pathlib.Path, nargs="+")
+    parser.add_argument("--alarm-level", type=float, default=0.01)
+    parser.add_argument("--confusion", type=pathlib.Path)
+    o = parser.parse_args()
+    lines = [line for folder in o.series for line in (folder / "rows.jsonl").read_text().splitlines()]
+    rows = [scoring.at_alarm_level(json.loads(line), o.alarm_level) for line in lines]
+    print(text_of(rows), end="")
+    if o.confusion:
+        found = scoring.confusion(rows)
+        hidden = {m[0] for row in rows for m in row["truth"]["mechanisms"]}
+        dataset.write_json(o.confusion, scoring.confusion_matrix(found, hidden & {case.split("@")[0] for case in found}))
+
+
+if __name__ == "__main__":
+    main()
