@@ -170,16 +170,17 @@ void take_parameters(const Evidence& evidence, Comparison& comparison) {
   }
 }
 
-/// Changes between two amplitudes by their unit; where the far runs tell nothing, as up to the near ones.
+/// Changes past the knee by a unit of amplitude; where the second runs tell nothing, as on the way to the first.
 void take_beyond(const TestEvidence& test, const ComparedTest& part, std::size_t k, const Candidate& candidate,
                  Comparison& comparison) {
-  const Samples &near = test.mechanism[k], &far = test.far[k];
+  const bool other_side = candidate.far < 0.0;
+  const Samples &near = other_side ? test.base : test.mechanism[k], &far = test.far[k];
   const Index meshes = std::min(near.rows(), far.rows());
+  const double way = candidate.far - (other_side ? 0.0 : candidate.amplitude);
   for (std::size_t i = 0; i < part.columns.size(); ++i) {
     const Index column = part.columns[i], at = part.first + static_cast<Index>(i), of = static_cast<Index>(k);
     const VectorXd change = far.col(column).head(meshes) - near.col(column).head(meshes);
     if (!enough_pairs(change)) continue;
-    const double way = candidate.far - candidate.amplitude;
     comparison.beyond(at, of) = finite_values(change).mean / way;
     comparison.beyond_rows[k].col(at).head(meshes) = centred(change) / way;
   }
@@ -190,14 +191,14 @@ void take_candidates(const Evidence& evidence, Comparison& comparison) {
   const std::size_t count = evidence.candidates.size();
   comparison.fingerprint = MatrixXd::Zero(size, static_cast<Index>(count));
   comparison.knee = VectorXd::Constant(static_cast<Index>(count), std::numeric_limits<double>::infinity());
-  comparison.reach.resize(static_cast<Index>(count));
+  comparison.first = comparison.reach = VectorXd::Zero(static_cast<Index>(count));
   for (std::size_t k = 0; k < count; ++k) {
     const auto runs = [](const TestEvidence& t, std::size_t item) -> const Samples& { return t.mechanism[item]; };
     const Differences d = differences(comparison, k, runs);
     const double amplitude = evidence.candidates[k].amplitude;
     comparison.fingerprint.col(static_cast<Index>(k)) = d.mean / amplitude;
     comparison.fingerprint_rows.push_back(d.rows / amplitude);
-    comparison.reach(static_cast<Index>(k)) = amplitude;
+    comparison.first(static_cast<Index>(k)) = comparison.reach(static_cast<Index>(k)) = amplitude;
   }
   comparison.beyond = comparison.fingerprint;
   comparison.beyond_rows = comparison.fingerprint_rows;
@@ -205,11 +206,15 @@ void take_candidates(const Evidence& evidence, Comparison& comparison) {
     for (std::size_t k = 0; k < part.test->far.size(); ++k) {
       if (part.test->far[k].rows() == 0) continue;
       const Candidate& candidate = evidence.candidates[k];
-      comparison.knee(static_cast<Index>(k)) = candidate.amplitude;
+      comparison.knee(static_cast<Index>(k)) = candidate.far < 0.0 ? 0.0 : candidate.amplitude;
       comparison.reach(static_cast<Index>(k)) = candidate.far;
       take_beyond(*part.test, part, k, candidate, comparison);
     }
   }
+}
+
+bool past_knee(const Comparison& comparison, Index k, double amplitude) {
+  return comparison.reach(k) < 0.0 ? amplitude < comparison.knee(k) : amplitude > comparison.knee(k);
 }
 
 }  // namespace
@@ -235,21 +240,27 @@ Comparison compare(const Evidence& evidence, TestUse use) {
 }
 
 VectorXd effect_of(const Comparison& comparison, Index k, double amplitude) {
-  const double near = std::min(amplitude, comparison.knee(k));
+  const double near = past_knee(comparison, k, amplitude) ? comparison.knee(k) : amplitude;
   return near * comparison.fingerprint.col(k) + (amplitude - near) * comparison.beyond.col(k);
 }
 
 MatrixXd effect_rows(const Comparison& comparison, Index k, double amplitude) {
-  const double near = std::min(amplitude, comparison.knee(k));
+  const double near = past_knee(comparison, k, amplitude) ? comparison.knee(k) : amplitude;
   const auto at = static_cast<std::size_t>(k);
   return near * comparison.fingerprint_rows[at] + (amplitude - near) * comparison.beyond_rows[at];
 }
 
 VectorXd bend_of(const Comparison& comparison, Index k, double amplitude) {
-  const double knee = comparison.knee(k), reach = comparison.reach(k);
-  if (!std::isfinite(knee) || amplitude <= 0.0 || amplitude >= reach) return VectorXd::Zero(comparison.data.size());
-  const double way = (amplitude - knee) * (amplitude <= knee ? amplitude : amplitude - reach) / reach;
-  return way * (comparison.beyond.col(k) - comparison.fingerprint.col(k));
+  const double knee = comparison.knee(k);
+  const double least = std::min(comparison.reach(k), 0.0), most = std::max(comparison.reach(k), comparison.first(k));
+  if (!std::isfinite(knee) || amplitude <= least || amplitude >= most) return VectorXd::Zero(comparison.data.size());
+  const double end = amplitude <= knee ? least : most;
+  const double way = (amplitude - knee) * (amplitude - end) / (most - least);
+  return way * (slope_of(comparison, k, most) - slope_of(comparison, k, least));
+}
+
+VectorXd slope_of(const Comparison& comparison, Index k, double amplitude) {
+  return past_knee(comparison, k, amplitude) ? comparison.beyond.col(k) : comparison.fingerprint.col(k);
 }
 
 VectorXd secant_of(const Comparison& comparison, Index k) {

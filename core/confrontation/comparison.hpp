@@ -34,9 +34,10 @@ struct Comparison {
   Eigen::MatrixXd jacobian;     ///< By coded parameter, central differences; Eq. (N7). One-sided at a limit.
   Eigen::MatrixXd curvature;    ///< By coded parameter, second differences that stand out of their error, else 0.
   Eigen::MatrixXd fingerprint;  ///< By candidate, a unit of amplitude; Eq. (N8).
-  Eigen::MatrixXd beyond;       ///< By candidate, a unit of amplitude beyond its knee; Eq. (N21).
-  Eigen::VectorXd knee;         ///< By candidate: amplitude of its first runs; infinite where there are no far ones.
-  Eigen::VectorXd reach;        ///< By candidate: amplitude of its farthest runs.
+  Eigen::MatrixXd beyond;       ///< By candidate, a unit of amplitude past its knee; Eq. (N21).
+  Eigen::VectorXd first;        ///< By candidate: amplitude of its first runs ...
+  Eigen::VectorXd reach;        ///< ... and of its second ones, below 0 on the other side of it; the first's: none.
+  Eigen::VectorXd knee;  ///< By candidate: the first runs' amplitude, 0 where the second are below; infinite: none.
   std::vector<Eigen::MatrixXd> jacobian_rows;     ///< By parameter: common meshes by slots, less their mean.
   std::vector<Eigen::MatrixXd> fingerprint_rows;  ///< By candidate, likewise.
   std::vector<Eigen::MatrixXd> beyond_rows;       ///< By candidate, likewise.
@@ -46,11 +47,14 @@ struct Comparison {
 Eigen::VectorXd effect_of(const Comparison& comparison, Eigen::Index candidate, double amplitude);
 Eigen::MatrixXd effect_rows(const Comparison& comparison, Eigen::Index candidate, double amplitude);
 
+/// What a further unit of amplitude does there, Eq. (N21).
+Eigen::VectorXd slope_of(const Comparison& comparison, Eigen::Index candidate, double amplitude);
+
 /// How far the parabola through a candidate's runs lies from the chords between them, by feature, Eq. (N22); zero
-/// beyond the farthest runs, and where there are no far ones.
+/// beyond the farthest runs, and where there are no second ones.
 Eigen::VectorXd bend_of(const Comparison& comparison, Eigen::Index candidate, double amplitude);
 
-/// A unit of amplitude on the way to the farthest runs.
+/// A unit of amplitude on the way to the second runs.
 Eigen::VectorXd secant_of(const Comparison& comparison, Eigen::Index candidate);
 
 /// Rows less their mean; a missing value stands for none, and the others' spread is raised for it.

@@ -168,9 +168,11 @@ double least_amplitude(const MechanismDeclaration& declaration) {
   return least;
 }
 
-/// Twice the first amplitude where ranges allow that or nearly so.
-double far_amplitude(double amplitude, double most) {
+/// As far to the other side of a setting that may be off either way; else twice the first amplitude where ranges allow
+/// that or nearly so.
+double far_amplitude(double amplitude, double most, bool two_sided) {
   constexpr double kFar = 2.0, kWorthwhile = 1.5;
+  if (two_sided) return -std::min(amplitude, most);
   const double far = std::min(kFar * amplitude, most);
   return far >= kWorthwhile * amplitude ? far : 0.0;
 }
@@ -185,7 +187,7 @@ std::vector<Candidate> library_candidates(const std::vector<std::string>& ids) {
     const bool two_sided = declaration.suspect && !whole;
     const double most = whole ? kWhole : most_amplitude(declaration, two_sided);
     candidates.push_back({id, whole ? kWhole : kStep, two_sided, declaration.suspect, most,
-                          least_amplitude(declaration), whole, whole || two_sided ? 0.0 : far_amplitude(kStep, most)});
+                          least_amplitude(declaration), whole, whole ? 0.0 : far_amplitude(kStep, most, two_sided)});
   }
   return candidates;
 }

@@ -34,7 +34,7 @@ struct TestEvidence {
   Samples base;                    ///< The base model at the parameters' reference.
   std::vector<Samples> low, high;  ///< By parameter, on common meshes, one step below and above.
   std::vector<Samples> mechanism;  ///< By candidate, on common meshes, at the candidate's amplitude.
-  std::vector<Samples> far;        ///< By candidate, likewise, at its far amplitude; no row: not run.
+  std::vector<Samples> far;        ///< By candidate, likewise, at its second amplitude; no row: not run.
 };
 
 /// A microparameter that calibration may move, in coded units of its step.
@@ -52,7 +52,7 @@ struct Candidate {
   double most = 3.0;       ///< Largest amplitude that its parameters' ranges allow.
   double least = 0.0;      ///< Smallest one other than 0 that they allow: infinite is no value of a reciprocal one.
   bool whole = false;      ///< Takes whole numbers.
-  double far = 0.0;        ///< A second amplitude of its runs, beyond the first; 0: none.
+  double far = 0.0;        ///< A second amplitude of its runs, beyond the first, or below 0; 0: none.
 };
 
 /// The amplitude nearest to this one that a run can have: within the candidate's range, a whole number where it takes

@@ -85,8 +85,8 @@ void plan_candidates(PlannedRuns& planned, Evidence& evidence, const EvidencePla
     add_rows(planned, evidence, plan, {t, centre, {{c.id, c.amplitude}}, 0}, plan.candidate_meshes[k], c.id,
              test.mechanism[k], configure);
     if (!plan.far || c.far == 0.0) continue;
-    add_rows(planned, evidence, plan, {t, centre, {{c.id, c.far}}, 0}, plan.candidate_meshes[k], c.id + ", far",
-             test.far[k], configure);
+    add_rows(planned, evidence, plan, {t, centre, {{c.id, c.far}}, 0}, plan.candidate_meshes[k],
+             c.id + (c.far < 0.0 ? ", other way" : ", far"), test.far[k], configure);
   }
 }
 

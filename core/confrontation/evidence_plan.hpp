@@ -41,7 +41,7 @@ struct EvidencePlan {
   std::size_t fresh = 16;                         ///< The same in kept-back tests; 0: they are not run.
   std::size_t parameters = 8;                     ///< Meshes of each side of each parameter.
   std::vector<std::size_t> candidate_meshes;      ///< By candidate; 0: not run.
-  bool far = false;                               ///< Whether candidates are run at their far amplitudes, too.
+  bool far = false;                               ///< Whether candidates are run at second amplitudes, too.
   std::vector<std::vector<bool>> parameter_acts;  ///< By test and parameter.
   std::vector<std::vector<bool>> candidate_acts;  ///< By test and candidate.
   std::uint64_t first_seed = 1;                   ///< Of fitted tests.

@@ -21,9 +21,8 @@ MatrixXd effects(const Comparison& comparison, const VectorXd& coded, const std:
   MatrixXd columns(comparison.data.size(), parameters + static_cast<Index>(causes.size()));
   columns.leftCols(parameters) = comparison.jacobian + comparison.curvature * coded.asDiagonal();
   for (std::size_t i = 0; i < causes.size(); ++i) {
-    const bool far = amplitude(static_cast<Index>(i)) > comparison.knee(causes[i]);
-    const MatrixXd& slopes = far ? comparison.beyond : comparison.fingerprint;
-    columns.col(parameters + static_cast<Index>(i)) = slopes.col(causes[i]);
+    const auto at = static_cast<Index>(i);
+    columns.col(parameters + at) = slope_of(comparison, causes[i], amplitude(at));
   }
   return columns;
 }

@@ -35,11 +35,11 @@ double detectable_lambda(std::vector<double> explained, double level) {
   return std::max(kDetectable, std::pow(std::sqrt(explained[at]) + kSurely, 2));
 }
 
-/// Eq. (N16), by the first runs up to their amplitude, beyond it by the farthest.
+/// Eq. (N16), by the first runs up to their amplitude, beyond it by the farther ones.
 double detectable_amplitude(const Comparison& comparison, const WhitenedFrame& frame, Index k, double lambda) {
   const double near = detectable_by(lambda, true_square(frame, comparison.fingerprint.col(k),
                                                         comparison.fingerprint_rows[static_cast<std::size_t>(k)]));
-  if (near <= comparison.knee(k)) return near;
+  if (near <= comparison.knee(k) || comparison.reach(k) < 0.0) return near;
   const double reach = comparison.reach(k);
   const double far =
       detectable_by(lambda, true_square(frame, secant_of(comparison, k), effect_rows(comparison, k, reach) / reach));
@@ -63,21 +63,40 @@ MatrixXd secants(const Comparison& comparison) {
   return columns;
 }
 
+/// Whether runs speak for an amplitude of this sign: first ones for their side alone where the second are on the other.
+bool speaks(const Candidate& candidate, double reach, bool second, double along) {
+  if (reach < 0.0) return second == (along < 0.0);
+  return along >= 0.0 || candidate.two_sided;
+}
+
 }  // namespace
 
 Pattern pattern_of(const WhitenedFrame& frame, const VectorXd& difference, const Comparison& comparison,
                    const std::vector<Candidate>& candidates) {
   const VectorXd residual = frame.project(difference);
   Pattern pattern{residual.squaredNorm(), VectorXd::Zero(comparison.fingerprint.cols())};
-  for (const MatrixXd& effects : {comparison.fingerprint, secants(comparison)}) {
-    const MatrixXd columns = frame.project(effects);
+  for (const bool second : {false, true}) {
+    const MatrixXd columns = frame.project(second ? secants(comparison) : comparison.fingerprint);
     for (Index k = 0; k < columns.cols(); ++k) {
       const double square = columns.col(k).squaredNorm(), along = columns.col(k).dot(residual);
-      if (square <= 0.0 || (along < 0.0 && !candidates[static_cast<std::size_t>(k)].two_sided)) continue;
+      if (square <= 0.0 || !speaks(candidates[static_cast<std::size_t>(k)], comparison.reach(k), second, along))
+        continue;
       pattern.explained(k) = std::max(pattern.explained(k), along * along / square);
     }
   }
   return pattern;
+}
+
+MatrixXd projected_fingerprints(const WhitenedFrame& frame, const VectorXd& difference, const Comparison& comparison) {
+  const VectorXd residual = frame.project(difference);
+  const MatrixXd below = frame.project(comparison.beyond);
+  MatrixXd columns = frame.project(comparison.fingerprint);
+  for (Index k = 0; k < columns.cols(); ++k) {
+    if (comparison.reach(k) >= 0.0) continue;
+    const double up = columns.col(k).normalized().dot(residual), down = -below.col(k).normalized().dot(residual);
+    if (down > up) columns.col(k) = below.col(k);
+  }
+  return columns;
 }
 
 VectorXd drawn_parameter_error(const Comparison& comparison, const BaseFit& fit, RandomStream& random) {

@@ -22,9 +22,14 @@ struct Pattern {
   Eigen::VectorXd explained;  ///< By candidate: Lambda, the part of it that an amplitude of its sign takes away.
 };
 
-/// A candidate's effect is tried by its first runs and by its farthest, N21: Lambda is the larger one.
+/// A candidate's effect is tried by its first runs and by its second, N21: Lambda is the larger one.
 Pattern pattern_of(const WhitenedFrame& frame, const Eigen::VectorXd& difference, const Comparison& comparison,
                    const std::vector<Candidate>& candidates);
+
+/// By candidate its projected fingerprint, a unit of amplitude; of a setting that was run either way, on the side that
+/// explains more of the difference.
+Eigen::MatrixXd projected_fingerprints(const WhitenedFrame& frame, const Eigen::VectorXd& difference,
+                                       const Comparison& comparison);
 
 /// Whether calibration leaves a discrepancy: double parametric bootstrap, in which every draw estimates its own
 /// covariance. `fit` is the base's calibration of the very comparison.

@@ -188,8 +188,12 @@ Hypothesis linear_hypothesis(const Comparison& comparison, const BaseFit& fit, s
   h.coded = fit.coded;
   h.difference = fit.difference;
   h.jacobian = fit.jacobian;
-  h.directions = comparison.fingerprint(Eigen::all, causes);
-  h.beyond = comparison.beyond(Eigen::all, causes);
+  h.directions = h.beyond = MatrixXd(comparison.data.size(), static_cast<Index>(causes.size()));
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    const Index k = causes[i], at = static_cast<Index>(i);
+    h.directions.col(at) = slope_of(comparison, k, std::min(comparison.reach(k), 0.0));
+    h.beyond.col(at) = slope_of(comparison, k, std::max(comparison.reach(k), comparison.first(k)));
+  }
   h.knee = comparison.knee(causes);
   h.causes = std::move(causes);
   return h;

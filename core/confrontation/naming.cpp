@@ -134,10 +134,9 @@ SecondCause second_cause(const Comparison& comparison, const Scatter& scatter, c
   return second;
 }
 
-double cosine(const WhitenedFrame& frame, const Comparison& comparison, Index a, Index b) {
-  const VectorXd x = frame.project(comparison.fingerprint.col(a)), y = frame.project(comparison.fingerprint.col(b));
-  const double size = x.norm() * y.norm();
-  return size > 0.0 ? x.dot(y) / size : 0.0;
+double cosine(const VectorXd& a, const VectorXd& b) {
+  const double size = a.norm() * b.norm();
+  return size > 0.0 ? a.dot(b) / size : 0.0;
 }
 
 }  // namespace asperity

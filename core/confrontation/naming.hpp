@@ -33,7 +33,7 @@ SecondCause second_cause(const Comparison& comparison, const Scatter& scatter, c
                          const std::vector<Candidate>& candidates, const Hypothesis& first,
                          const NamingOptions& options);
 
-/// Cosine between two candidates' fingerprints after projection.
-double cosine(const WhitenedFrame& frame, const Comparison& comparison, Eigen::Index a, Eigen::Index b);
+/// Between two directions; 0 where one has no length.
+double cosine(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
 }  // namespace asperity

@@ -175,7 +175,7 @@ ordered_json slots_json(const Confrontation& c) {
 
 ordered_json candidates_json(const Confrontation& c) {
   const WhitenedFrame frame(c.scatter.covariance, c.base.absorbing);
-  const Eigen::MatrixXd projected = frame.project(c.fitted.fingerprint);
+  const Eigen::MatrixXd projected = projected_fingerprints(frame, c.base.difference, c.fitted);
   ordered_json list = ordered_json::array();
   for (std::size_t k = 0; k < c.evidence.candidates.size(); ++k) {
     const Candidate& candidate = c.evidence.candidates[k];

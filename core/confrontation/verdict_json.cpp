@@ -131,12 +131,13 @@ ordered_json detectable_json(const Confrontation& c) {
 
 ordered_json cosines_json(const Confrontation& c) {
   const WhitenedFrame frame(c.scatter.covariance, c.base.absorbing);
+  const Eigen::MatrixXd projected = projected_fingerprints(frame, c.base.difference, c.fitted);
   ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < c.conclusion.singles.size(); ++i) {
     for (std::size_t j = i + 1; j < c.conclusion.singles.size(); ++j) {
       const Index a = c.conclusion.singles[i].causes.front(), b = c.conclusion.singles[j].causes.front();
-      list.push_back(
-          {{"ids", {candidate(c, a).id, candidate(c, b).id}}, {"cosine", number(cosine(frame, c.fitted, a, b))}});
+      list.push_back({{"ids", {candidate(c, a).id, candidate(c, b).id}},
+                      {"cosine", number(cosine(projected.col(a), projected.col(b)))}});
     }
   }
   return list;
