@@ -68,11 +68,12 @@ int group_number(std::vector<const FeatureKind*>& kinds, const FeatureKind* kind
   return static_cast<int>(kinds.size()) - 1;
 }
 
-void choose_slots(const Evidence& evidence, TestUse use, Comparison& comparison) {
+void choose_slots(const Evidence& evidence, TestUse use, BaseMean mean, Comparison& comparison) {
   std::vector<const FeatureKind*> kinds;
   for (const TestEvidence& test : evidence.tests) {
     if (test.use != use) continue;
-    ComparedTest part{&test, {}, static_cast<Index>(comparison.slots.size()), {}};
+    const Index averaged = test.base.rows() - (mean == BaseMean::apart ? test.apart : 0);
+    ComparedTest part{&test, {}, static_cast<Index>(comparison.slots.size()), {}, averaged};
     for (Index c = 0; c < static_cast<Index>(test.slots.size()); ++c) {
       const FeatureSlot& slot = test.slots[static_cast<std::size_t>(c)];
       const std::string fault = fault_of(test, c);
@@ -98,7 +99,8 @@ void take_means(Comparison& comparison) {
     part.meshes.resize(test.base.rows(), static_cast<Index>(part.columns.size()));
     for (Index i = 0; i < static_cast<Index>(part.columns.size()); ++i) {
       const Index column = part.columns[static_cast<std::size_t>(i)], at = part.first + i;
-      const Column measured = finite_values(test.measured.col(column)), base = finite_values(test.base.col(column));
+      const Column measured = finite_values(test.measured.col(column));
+      const Column base = finite_values(test.base.col(column).tail(part.averaged));
       comparison.data(at) = measured.mean;
       comparison.model(at) = base.mean;
       comparison.specimens(at) = static_cast<double>(measured.values.size());
@@ -230,9 +232,9 @@ VectorXd centred(const VectorXd& column) {
   return rows;
 }
 
-Comparison compare(const Evidence& evidence, TestUse use) {
+Comparison compare(const Evidence& evidence, TestUse use, BaseMean mean) {
   Comparison comparison;
-  choose_slots(evidence, use, comparison);
+  choose_slots(evidence, use, mean, comparison);
   take_means(comparison);
   take_parameters(evidence, comparison);
   take_candidates(evidence, comparison);

@@ -12,7 +12,8 @@ struct ComparedTest {
   const TestEvidence* test = nullptr;
   std::vector<Eigen::Index> columns;  ///< Of the test's slots: those that are compared.
   Eigen::Index first = 0;
-  Eigen::MatrixXd meshes;  ///< Runs of the base by slots, each column's mean taken off, with the spread of the runs.
+  Eigen::MatrixXd meshes;     ///< Runs of the base by slots, each column's mean taken off, with the spread of the runs.
+  Eigen::Index averaged = 0;  ///< Number of runs of which the model's mean is.
 };
 
 /// A slot that is not compared, and why.
@@ -60,9 +61,12 @@ Eigen::VectorXd secant_of(const Comparison& comparison, Eigen::Index candidate);
 /// Rows less their mean; a missing value stands for none, and the others' spread is raised for it.
 Eigen::VectorXd centred(const Eigen::VectorXd& column);
 
+/// Of which runs the base's mean is: of all, or of those on other meshes than effects.
+enum class BaseMean { all, apart };
+
 /// Compares the tests of one use. A slot is left out where fewer than half of the specimens, or three quarters of the
 /// base's runs, or half of a parameter's runs give a value, or where nothing scatters.
-Comparison compare(const Evidence& evidence, TestUse use);
+Comparison compare(const Evidence& evidence, TestUse use, BaseMean mean = BaseMean::all);
 
 /// The model's mean at coded parameters: reference + J d + curvature d^2 / 2.
 Eigen::VectorXd model_at(const Comparison& comparison, const Eigen::VectorXd& coded);

@@ -36,13 +36,28 @@ void require_features(const Comparison& fitted) {
   throw Error(ErrorKind::config, faults);
 }
 
+/// Twice, the second time with what is not known of effects on the way, Eq. (N20).
+void calibrate(const Comparison& comparison, const std::vector<CalibratedParameter>& parameters,
+               const NoiseOptions& options, Scatter& scatter, BaseFit& base) {
+  scatter = scatter_of(comparison, options);
+  base = calibrate_base(comparison, scatter.covariance, parameters);
+  scatter = scatter_at(comparison, base.coded, options);
+  base = calibrate_base(comparison, scatter.covariance, parameters);
+}
+
 void compare_fitted(Confrontation& state, const NamingOptions& options) {
   state.fitted = compare(state.evidence, TestUse::fit);
   require_features(state.fitted);
-  state.scatter = scatter_of(state.fitted, options.draws.noise);
-  state.base = calibrate_base(state.fitted, state.scatter.covariance, state.evidence.parameters);
-  state.scatter = scatter_at(state.fitted, state.base.coded, options.draws.noise);
-  state.base = calibrate_base(state.fitted, state.scatter.covariance, state.evidence.parameters);
+  calibrate(state.fitted, state.evidence.parameters, options.draws.noise, state.scatter, state.base);
+}
+
+/// On other meshes than effects: what chance makes of the base's runs on those is in every fingerprint, too.
+Gate gate_apart(const Confrontation& state, const GateOptions& options) {
+  const Comparison comparison = compare(state.evidence, TestUse::fit, BaseMean::apart);
+  Scatter scatter;
+  BaseFit base;
+  calibrate(comparison, state.evidence.parameters, options.noise, scatter, base);
+  return gate(comparison, scatter, base, state.evidence.candidates, options);
 }
 
 /// Gauss-Newton with real runs: the centre moves to the calibrated parameters.
@@ -178,7 +193,7 @@ Confrontation confront(ConfrontationTask task) {
   const bool by_runs = task.linearised_at == LinearisedAt::calibrated;
   if (by_runs && !state.evidence.parameters.empty()) calibrate_by_runs(task, state);
   simulate_effects(task, state);
-  state.gate = gate(state.fitted, state.scatter, state.base, state.evidence.candidates, task.options.draws);
+  state.gate = gate_apart(state, task.options.draws);
   const HypothesisMaker make = [&](const std::vector<std::vector<Index>>& lists) {
     return by_runs ? hypotheses_by_runs(task, state, lists) : linear_hypotheses(state, lists);
   };

@@ -41,6 +41,7 @@ ordered_json frozen(const ConfrontationConfig& config, const ConfrontationTask& 
                        {"explained_level", task.options.draws.explained_level},
                        {"misfit_level", task.options.draws.misfit_level},
                        {"least_ridge", task.options.draws.noise.least_ridge},
+                       {"apart", task.plan.apart},
                        {"noise", task.plan.noise},
                        {"fresh", task.plan.fresh},
                        {"common", task.common},

@@ -31,7 +31,8 @@ Samples no_values(Index rows, const TestEvidence& test) {
 }
 
 std::size_t base_meshes(const EvidencePlan& plan, const TestEvidence& test) {
-  return test.use == TestUse::fit ? plan.noise : plan.fresh;
+  const std::size_t of_mean = test.use == TestUse::fit ? plan.noise : plan.fresh;
+  return of_mean == 0 ? 0 : plan.apart + of_mean;
 }
 
 void add_rows(PlannedRuns& planned, Evidence& evidence, const EvidencePlan& plan, VirtualSpecimen specimen,
@@ -116,7 +117,9 @@ void simulate_evidence(Evidence& evidence, const EvidencePlan& plan, const Vecto
   PlannedRuns planned;
   for (std::size_t t = 0; t < evidence.tests.size(); ++t) {
     if (base_meshes(plan, evidence.tests[t]) == 0) continue;
-    add_rows(planned, evidence, plan, {t, centre, {}, 0}, plan.noise, "base", evidence.tests[t].base, configure);
+    evidence.tests[t].apart = static_cast<Index>(plan.apart);
+    add_rows(planned, evidence, plan, {t, centre, {}, 0}, base_meshes(plan, evidence.tests[t]), "base",
+             evidence.tests[t].base, configure);
     if (!plan.effects) continue;
     plan_parameters(planned, evidence, plan, t, centre, configure);
     plan_candidates(planned, evidence, plan, t, centre, configure);

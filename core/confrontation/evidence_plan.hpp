@@ -39,6 +39,7 @@ using FeaturesOf =
 struct EvidencePlan {
   std::size_t noise = 16;                         ///< Meshes of the base in fitted tests.
   std::size_t fresh = 16;                         ///< The same in kept-back tests; 0: they are not run.
+  std::size_t apart = 0;                          ///< Further ones before them, those of effects.
   std::size_t parameters = 8;                     ///< Meshes of each side of each parameter.
   std::vector<std::size_t> candidate_meshes;      ///< By candidate; 0: not run.
   bool far = false;                               ///< Whether candidates are run at second amplitudes, too.

@@ -190,8 +190,8 @@ Repetition repeat(const Comparison& comparison, const Scatter& scatter, const No
     const VectorXd least = both.tail(n).array() * fewer.array();
     const VectorXd data = both.head(n).array() * fewer.array() * scatter.specimen_factor.segment(part.first, n).array();
     MatrixXd again = drawn_rows(part.meshes, random);
-    const VectorXd mean = again.colwise().mean();
-    again.rowwise() -= mean.transpose();
+    const VectorXd mean = again.topRows(part.averaged).colwise().mean();
+    again.rowwise() -= again.colwise().mean().eval();
     meshes.push_back(again);
     repetition.difference.segment(part.first, n) = data - mean;
     repetition.least_difference.segment(part.first, n) = least - mean;

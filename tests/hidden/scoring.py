@@ -8,7 +8,7 @@ RATES = {
     "detected": ("detected", lambda r: True),
     "truth in the set": ("in_set", lambda r: r["detected"]),
     "truth among all names": ("among_all", lambda r: r["detected"]),
-    "one of two true causes": ("partly", lambda r: r["detected"]),
+    "a true cause in the set, particles of another size among them": ("partly", lambda r: r["detected"]),
     "wrong single name": ("wrong_single", lambda r: r["detected"]),
     "wrong pair": ("wrong_pair", lambda r: r["detected"]),
     "unexplained": ("unexplained", lambda r: r["detected"]),
@@ -21,6 +21,12 @@ def true_names(truth):
     return {m[0] for m in truth["mechanisms"]} | ({"mesh_size"} if truth["edge_factor"] != 1.0 else set())
 
 
+def foretold(truth, verdict):
+    """Whether these tests were said to show what is hidden: `detectable_amplitude` knows the mechanisms, and not what is there."""
+    detectable = verdict.get("detectable_amplitude", {})
+    return any(detectable.get(id) is not None and detectable[id] <= amplitude for id, amplitude in truth["mechanisms"])
+
+
 def judge(truth, verdict):
     """What of a verdict is right."""
     status, causes = verdict["status"], set(verdict["causes"])
@@ -30,11 +36,12 @@ def judge(truth, verdict):
         "status": status, "causes": sorted(causes), "detected": status != "nothing_found",
         "in_set": bool(hidden) and tells and hidden <= causes,
         "among_all": bool(hidden) and hidden <= causes,
-        "partly": bool(hidden & causes) and tells,
+        "partly": bool(allowed & causes) and tells,
         "wrong_single": status == "named" and not causes <= allowed,
         "wrong_pair": status == "two_causes" and not causes & allowed,
         "unexplained": status == "unexplained",
         "cannot_tell": status == "indistinguishable" and len(causes) > MOST_NAMES,
+        "foretold": foretold(truth, verdict),
     }
 
 
@@ -105,6 +112,13 @@ def rate(rows, key, of):
 
 def rates(rows):
     return {name: rate(rows, key, of) for name, (key, of) in RATES.items()}
+
+
+def foretold_rates(rows):
+    """How a verdict's `detectable_amplitude` keeps its word, at the alarm level that it was made for: rows as they were run."""
+    effects = [r for r in rows if is_effect(r)]
+    return {"detected where foretold": rate(effects, "detected", lambda r: r["foretold"]),
+            "detected where not": rate(effects, "detected", lambda r: not r["foretold"])}
 
 
 def rate_text(r):

@@ -111,7 +111,7 @@ def summary(o, rows, decoys):
             "kinds": {kind: scoring.rates(of) for kind, of in by(rows, "kind").items()},
             "cases": {case: scoring.rates(of) for case, of in by(rows, "case").items()},
             "gain": {kind: scoring.gain_summary(of) for kind, of in by(rows, "kind").items()},
-            "alarm_levels": scoring.by_alarm_level(rows),
+            "alarm_levels": scoring.by_alarm_level(rows), "foretold": scoring.foretold_rates(rows),
             "decoys_named": {d: sum(d in r["causes"] for r in rows) for d in decoys},
             "confusion": scoring.confusion(rows)}
 
@@ -123,6 +123,7 @@ def table(found):
             lines.append(f"{name:32}" + "".join(f"  {rate}: {scoring.rate_text(r)}" for rate, r in rates.items() if r["of"]))
     for level, rates in found["alarm_levels"].items():
         lines.append(f"alarm level {level:20}" + "".join(f"  {rate}: {scoring.rate_text(r)}" for rate, r in rates.items() if r["of"]))
+    lines.append(f"{'as it was run':32}" + "".join(f"  {rate}: {scoring.rate_text(r)}" for rate, r in found["foretold"].items() if r["of"]))
     for kind, gain in found["gain"].items():
         if gain:
             lines.append(f"gain, {kind:26}" + "".join(f"  {name}: {value:.3g}" for name, value in gain.items()))

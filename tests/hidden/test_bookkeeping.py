@@ -106,9 +106,19 @@ class Scoring(unittest.TestCase):
         self.assert_judged(truth("a", "b"), verdict("named", "a"), detected=True)
         self.assertTrue(scoring.judge(truth("a", "b"), verdict("named", "a"))["partly"])
 
+    def test_what_a_verdict_foretells_is_held_against_it(self):
+        found = [(verdict("named", "seating"), 0.4), (verdict("nothing_found"), 1.0), (verdict("nothing_found"), 1.01),
+                 (verdict("named", "seating"), None)]
+        rows = [{"kind": "amplitude 1", **scoring.judge(truth("seating"), v | {"detectable_amplitude": {"seating": amplitude, "damping": 0.1}})}
+                for v, amplitude in found]
+        self.assertEqual([(r["count"], r["of"]) for r in scoring.foretold_rates(rows).values()], [(1, 2), (1, 2)])
+        self.assertFalse(scoring.judge(truth(), found[0][0])["foretold"])
+
     def test_particles_of_another_size_are_a_cause_too(self):
         self.assert_judged(truth("seating", edge=1.15), verdict("named", "mesh_size"), detected=True)
         self.assert_judged(truth("seating"), verdict("named", "mesh_size"), detected=True, wrong_single=True)
+        self.assertTrue(scoring.judge(truth("seating", edge=1.15), verdict("named", "mesh_size"))["partly"])
+        self.assertFalse(scoring.judge(truth("seating"), verdict("named", "mesh_size"))["partly"])
 
     def test_binomial_intervals(self):
         # Clopper & Pearson's closed forms at the ends; 5 of 10 as in their table.

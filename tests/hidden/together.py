@@ -40,8 +40,11 @@ def main():
     parser.add_argument("--confusion", type=pathlib.Path)
     o = parser.parse_args()
     lines = [line for folder in o.series for line in (folder / "rows.jsonl").read_text().splitlines()]
-    rows = [scoring.at_alarm_level(json.loads(line), o.alarm_level) for line in lines]
+    as_run = [json.loads(line) for line in lines]
+    rows = [scoring.at_alarm_level(row, o.alarm_level) for row in as_run]
     print(text_of(rows), end="")
+    for name, rate in scoring.foretold_rates(as_run).items():
+        print(f"at the level that was run, {name}: {scoring.rate_text(rate)}")
     if o.confusion:
         found = scoring.confusion(rows)
         hidden = {m[0] for row in rows for m in row["truth"]["mechanisms"]}

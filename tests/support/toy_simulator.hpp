@@ -88,6 +88,7 @@ inline ConfrontationTask task_of(ToySimulator& simulator, const VectorXd& truth,
   for (int k = 0; k < ToySimulator::kMechanisms; ++k)
     task.evidence.candidates.push_back({"m" + std::to_string(k), 0.6, false, false, 3.0});
   task.plan.candidate_meshes.assign(ToySimulator::kMechanisms, 8);
+  task.plan.apart = task.common;
   task.options.draws.draws = 200;
   task.configure = [&](const VirtualSpecimen& s) { return simulator.configure(s); };
   task.features = [&](const std::string&, const std::vector<CampaignRun>& runs) { return simulator.features(runs); };

@@ -146,7 +146,7 @@ TEST_CASE("about the reference no further run is made for a refit") {
   task.linearised_at = LinearisedAt::reference;
   const Confrontation c = confront(std::move(task));
   CHECK(verdict_causes(c) == std::vector<std::string>{"m2"});
-  const std::size_t a_test = 16 + 2 * 2 * 8 + 6 * 8;
+  const std::size_t a_test = 16 + 8 + 2 * 2 * 8 + 6 * 8;
   CHECK(simulator.runs() == 4 * a_test);
 }
 
@@ -221,9 +221,11 @@ TEST_CASE("kept-back tests have meshes of their own number") {
   ConfrontationTask task = task_of(simulator, truth(), {});
   task.plan.fresh = 6;
   const Confrontation c = confront(std::move(task));
-  CHECK(c.evidence.tests.front().base.rows() == 16);
-  CHECK(c.evidence.tests.back().base.rows() == 6);
-  CHECK(c.evidence.tests.back().low[0].rows() == 6);
+  CHECK(c.evidence.tests.front().base.rows() == 8 + 16);
+  CHECK(c.evidence.tests.back().base.rows() == 8 + 6);
+  CHECK(c.evidence.tests.back().low[0].rows() == 8);
+  CHECK(c.fitted.tests.front().averaged == 8 + 16);
+  CHECK(compare(c.evidence, TestUse::fit, BaseMean::apart).tests.front().averaged == 16);
 }
 
 TEST_CASE("a test that alone determines a parameter is not predicted without it") {
