@@ -167,7 +167,8 @@ class Scoring(unittest.TestCase):
         rows = [row(1.0, verdict("named", "seating")), row(1.15, verdict("named", "damping")), row(0.85, verdict("nothing_found"))]
         rates = {name: scoring.rates(group)["wrong single name"] for name, group in together.groups_of(rows).items()}
         self.assertEqual({name: (r["count"], r["of"]) for name, r in rates.items()}, {
-            "amplitude 1": (1, 2), "amplitude 1, the base's particles": (0, 1), "amplitude 1, other particles": (1, 1)})
+            f"{name}{of}": counts for name in ("amplitude 1", "seating@1") for of, counts in
+            (("", (1, 2)), (", the base's particles", (0, 1)), (", other particles", (1, 1)))})
         self.assertIn("amplitude 1, detected: 2/3", together.text_of(rows))
 
     def test_a_name_instead_of_a_missing_one_is_right_only_for_its_twin(self):

@@ -1,7 +1,7 @@
 """Rates of several series of one suite together: together.py FOLDER... [--alarm-level 0.01] [--confusion FILE].
 
-FOLDER is a series' own, with rows.jsonl; the level is at most the one that they were run at. By kind of data set, for effects also by
-whether the rock has the base's particles or others, which is a second effect. FILE is for `asperity report --confusion`.
+FOLDER is a series' own, with rows.jsonl; the level is at most the one that they were run at. By kind of data set and by what is hidden, for
+effects also by whether the rock has the base's particles or others, which is a second effect. FILE is for `asperity report --confusion`.
 """
 import argparse
 import json
@@ -15,10 +15,10 @@ def groups_of(rows):
     """Named groups of judged rows."""
     groups = {}
     for row in rows:
-        names = [row["kind"]]
+        names = {row["kind"], row["case"]}
         if scoring.is_effect(row):
             particles = "the base's" if row["truth"]["edge_factor"] == 1.0 else "other"
-            names.append(f"{row['kind']}, {particles} particles")
+            names |= {f"{name}, {particles} particles" for name in names}
         for name in names:
             groups.setdefault(name, []).append(row)
     return groups

@@ -22,7 +22,7 @@ Evidence chaotic(const toy::World& world, Index apart, std::uint64_t draw) {
 }
 
 struct Alarms {
-  int at_one = 0, at_five = 0;  ///< Of a hundred: laboratories with an alarm at that level.
+  int at_one = 0, at_five = 0;  ///< Laboratories with an alarm at the level 0.01, and at 0.05.
   double mean_p = 0;
 };
 
