@@ -36,7 +36,10 @@ Json instrument_json(const Instrument& i) {
 
 Json value_json(const SpecimenValue& s) {
   if (!s.value) return {{"value", nullptr}, {"absent", s.absent}};
-  return {{"value", *s.value}, {"instrument_sd", s.instrument_sd}, {"from", s.from_results ? "results" : "curve"}};
+  return {{"value", *s.value},
+          {"instrument_sd", s.instrument_sd},
+          {"noise_sd", s.noise_sd},
+          {"from", s.from_results ? "results" : "curve"}};
 }
 
 Json feature_json(const TestFeature& feature) {

@@ -92,7 +92,7 @@ void choose_slots(const Evidence& evidence, TestUse use, BaseMean mean, Comparis
 void take_means(Comparison& comparison) {
   const auto size = static_cast<Index>(comparison.slots.size());
   for (VectorXd* v : {&comparison.data, &comparison.model, &comparison.specimens, &comparison.meshes,
-                      &comparison.instrument_sd, &comparison.zero_sd})
+                      &comparison.instrument_sd, &comparison.own_sd})
     v->setZero(size);
   for (ComparedTest& part : comparison.tests) {
     const TestEvidence& test = *part.test;
@@ -106,7 +106,7 @@ void take_means(Comparison& comparison) {
       comparison.specimens(at) = static_cast<double>(measured.values.size());
       comparison.meshes(at) = static_cast<double>(base.values.size());
       comparison.instrument_sd(at) = test.instrument_sd(column);
-      if (test.zero_sd.size() > 0) comparison.zero_sd(at) = test.zero_sd(column);
+      if (test.own_sd.size() > 0) comparison.own_sd(at) = test.own_sd(column);
       part.meshes.col(i) = centred(test.base.col(column));
     }
   }

@@ -31,7 +31,7 @@ struct Comparison {
   Eigen::VectorXd specimens;    ///< Number of measured values.
   Eigen::VectorXd meshes;       ///< Number of runs behind the model's mean.
   Eigen::VectorXd instrument_sd;
-  Eigen::VectorXd zero_sd;      ///< Of one specimen, by instruments' zeros.
+  Eigen::VectorXd own_sd;       ///< Of one specimen, by instruments' zeros and rows' noise.
   Eigen::MatrixXd jacobian;     ///< By coded parameter, central differences; Eq. (N7). One-sided at a limit.
   Eigen::MatrixXd curvature;    ///< By coded parameter, second differences that stand out of their error, else 0.
   Eigen::MatrixXd fingerprint;  ///< By candidate, a unit of amplitude; Eq. (N8).

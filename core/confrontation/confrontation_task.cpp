@@ -40,6 +40,16 @@ double instrument_error(const FeatureSlot& slot, const TestFeature& feature, con
   return feature.count > 0 ? sum / feature.count : 0.0;
 }
 
+/// Standard deviation that the noise of a specimen's rows makes, Eq. (N24), in the slot's unit.
+double noise_error(const FeatureSlot& slot, const TestFeature& feature) {
+  double square = 0.0;
+  for (const SpecimenValue& s : feature.specimens) {
+    if (!s.value) continue;
+    square += std::pow(slot.logarithmic && *s.value > 0.0 ? s.noise_sd / *s.value : s.noise_sd, 2);
+  }
+  return feature.count > 0 ? std::sqrt(square / feature.count) : 0.0;
+}
+
 /// Scales are the instruments', the same for every specimen; zeros are set anew for each.
 MeasuredTest without_zero_errors(MeasuredTest test) {
   test.instrument.load_zero_percent = test.instrument.displacement_zero_mm = 0.0;
@@ -52,16 +62,16 @@ void take_measured(TestEvidence& evidence, const MeasuredTest& test) {
   const auto specimens = static_cast<Index>(features.front().specimens.size());
   evidence.measured.resize(specimens, static_cast<Index>(evidence.slots.size()));
   evidence.instrument_sd.resize(static_cast<Index>(evidence.slots.size()));
-  evidence.zero_sd.resize(static_cast<Index>(evidence.slots.size()));
+  evidence.own_sd.resize(static_cast<Index>(evidence.slots.size()));
   for (std::size_t s = 0; s < evidence.slots.size(); ++s) {
     const FeatureSlot& slot = evidence.slots[s];
     const auto kind = static_cast<std::size_t>(slot.kind - kinds.data());
     const TestFeature& feature = features[kind];
     const auto column = static_cast<Index>(s);
     const double shared = instrument_error(slot, scales[kind], test), all = instrument_error(slot, feature, test);
-    const double zeros = std::max(0.0, all * all - shared * shared);
-    evidence.zero_sd(column) = std::sqrt(zeros);
-    evidence.instrument_sd(column) = std::sqrt(shared * shared + zeros / std::max(1, feature.count));
+    const double own = std::max(0.0, all * all - shared * shared) + std::pow(noise_error(slot, feature), 2);
+    evidence.own_sd(column) = std::sqrt(own);
+    evidence.instrument_sd(column) = std::sqrt(shared * shared + own / std::max(1, feature.count));
     for (Index i = 0; i < specimens; ++i) {
       const auto& value = feature.specimens[static_cast<std::size_t>(i)].value;
       evidence.measured(i, column) = value ? transformed(slot, *value) : std::numeric_limits<double>::quiet_NaN();

@@ -30,7 +30,7 @@ struct TestEvidence {
   std::vector<FeatureSlot> slots;
   Samples measured;
   Eigen::VectorXd instrument_sd;   ///< Of the specimens' mean, slot by slot, in the samples' unit.
-  Eigen::VectorXd zero_sd;         ///< Of one specimen, by instruments' zeros, set for each anew; empty: none.
+  Eigen::VectorXd own_sd;          ///< Of one specimen, by instruments' zeros and rows' noise, each its own; empty: none.
   Samples base;                    ///< The base model at the parameters' reference.
   Eigen::Index apart = 0;          ///< First rows of it that the gate leaves out: those of effects; 0: it takes all.
   std::vector<Samples> low, high;  ///< By parameter, on common meshes, one step below and above.

@@ -19,7 +19,8 @@ constexpr std::string_view kDrop = "0.05: a drop is as steep as the machine and 
 constexpr std::string_view kResidual = "5 %: a mean over a stretch of sliding that a single crack moves";
 constexpr std::string_view kEvents = "10 %: the count depends on the threshold of the sensors";
 constexpr std::string_view kShare = "0.03: what counting alone does to a half of 300 events, sqrt(0.25 / 300)";
-constexpr std::string_view kLateral = "3 %: a lateral gauge reads a fifth of the axial path";
+constexpr std::string_view kLateral =
+    "0.01, 3 % of a usual one: a lateral gauge reads a fifth of the axial path, and its noise can hide it";
 constexpr std::string_view kDilation =
     "0.02: two slopes of gauges on the joint, at teeth that wear from the first contact on";
 constexpr std::string_view kBend = "3 %: where a curve leaves its line, by a line of 1 %";
@@ -33,7 +34,7 @@ constexpr FeatureRule kUniaxial[] = {
     {"peak_strain_from_toe", kLog, 0.03, kOwn, kPeakPath},
     {"toe_travel_strain", kPlain, kGauge, kStrain, kLength},
     {"late_stiffness_ratio", kPlain, 0.02, kOwn, kRatio},
-    {"lateral_ratio", kLog, 0.03, kOwn, kLateral},
+    {"lateral_ratio", kPlain, 0.01, kOwn, kLateral},
     {"drop_share", kPlain, 0.05, kOwn, kDrop},
     {"events_at_peak", kLog, 0.1, kOwn, kEvents},
     {"event_share_at_half", kPlain, 0.03, kOwn, kShare},

@@ -44,7 +44,7 @@ struct Ratio {
   }
 };
 
-/// Without what the instruments' zeros add, which N10 counts by itself.
+/// Without what the instruments' zeros and the rows' noise add, which N10 counts by itself.
 Ratio ratio_of(const Comparison& comparison, const ComparedTest& part, Index i, const MatrixXd& run) {
   Ratio ratio;
   const VectorXd column = part.test->measured.col(part.columns[static_cast<std::size_t>(i)]);
@@ -59,8 +59,8 @@ Ratio ratio_of(const Comparison& comparison, const ComparedTest& part, Index i, 
   for (const double v : column) {
     if (std::isfinite(v)) squares += (v - sum / n) * (v - sum / n);
   }
-  const double zero = comparison.zero_sd(part.first + i);
-  ratio.add(std::max(0.0, squares - (n - 1.0) * zero * zero) / run(i, i), n - 1.0);
+  const double own = comparison.own_sd(part.first + i);
+  ratio.add(std::max(0.0, squares - (n - 1.0) * own * own) / run(i, i), n - 1.0);
   return ratio;
 }
 

@@ -59,8 +59,8 @@ TEST_CASE("what the instruments' zeros add to specimens is not taken for rougher
   const toy::World world;
   Evidence evidence = with_rough_kind(world, 1, 3, 10.0);
   for (TestEvidence& test : evidence.tests) {
-    test.zero_sd = VectorXd::Zero(world.features);
-    test.zero_sd(3) = 30.0;
+    test.own_sd = VectorXd::Zero(world.features);
+    test.own_sd(3) = 30.0;
   }
   const Comparison comparison = compare(evidence, TestUse::fit);
   const VectorXd factor = scatter_of(comparison, {}).specimen_factor;
