@@ -37,8 +37,8 @@ Json instrument_json(const Instrument& i) {
 Json value_json(const SpecimenValue& s) {
   if (!s.value) return {{"value", nullptr}, {"absent", s.absent}};
   return {{"value", *s.value},
-          {"instrument_sd", instrument_sd(s.errors)},
-          {"noise_sd", noise_sd(s.errors)},
+          {"instrument_sd", s.instrument_sd},
+          {"noise_sd", s.noise_sd},
           {"from", s.from_results ? "results" : "curve"}};
 }
 

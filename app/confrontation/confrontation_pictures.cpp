@@ -55,7 +55,7 @@ std::string extension_name(const ConfrontationData& data) {
 
 render::BarPanel fingerprint_panel(const ConfrontationData& data, const ShownCandidate& candidate) {
   const double amplitude = explaining_amplitude(data, candidate);
-  render::BarPanel panel{candidate.id + " × " + figures(amplitude, 2), {}, render::style::kVermilion};
+  render::BarPanel panel{candidate.id, {}, render::style::kVermilion};
   for (const double v : candidate.projected) panel.values.push_back(amplitude * v);
   return panel;
 }
@@ -115,8 +115,9 @@ render::BarPanels fingerprint_bars(const ConfrontationData& data) {
   render::BarPanels bars;
   bars.title = "What is left, and what would make it";
   bars.caption =
-      "Left: what calibration leaves. Then each mechanism's fingerprint at the strength that fits best. In standard "
-      "deviations, without what calibration absorbs; within a test, each feature beyond what those above it imply.";
+      "Left: what calibration leaves. Then each mechanism's fingerprint, scaled to fit best: the pattern counts, the "
+      "strength is the refit's. In standard deviations, without what calibration absorbs; within a test, each feature "
+      "beyond what those above it imply.";
   bars.x_label = "projected difference [standard deviations]";
   bars.rows = rows_of(data);
   bars.panels.push_back({"measured less base", {}, render::style::kBlue});

@@ -91,13 +91,12 @@ void choose_slots(const Evidence& evidence, TestUse use, BaseMean mean, Comparis
 
 void take_means(Comparison& comparison) {
   const auto size = static_cast<Index>(comparison.slots.size());
-  for (VectorXd* v :
-       {&comparison.data, &comparison.model, &comparison.specimens, &comparison.meshes, &comparison.own_sd})
+  for (VectorXd* v : {&comparison.data, &comparison.model, &comparison.specimens, &comparison.meshes,
+                      &comparison.instrument_sd, &comparison.own_sd})
     v->setZero(size);
   for (ComparedTest& part : comparison.tests) {
     const TestEvidence& test = *part.test;
     part.meshes.resize(test.base.rows(), static_cast<Index>(part.columns.size()));
-    part.instruments.resize(test.instrument_errors.rows(), static_cast<Index>(part.columns.size()));
     for (Index i = 0; i < static_cast<Index>(part.columns.size()); ++i) {
       const Index column = part.columns[static_cast<std::size_t>(i)], at = part.first + i;
       const Column measured = finite_values(test.measured.col(column));
@@ -106,7 +105,7 @@ void take_means(Comparison& comparison) {
       comparison.model(at) = base.mean;
       comparison.specimens(at) = static_cast<double>(measured.values.size());
       comparison.meshes(at) = static_cast<double>(base.values.size());
-      if (test.instrument_errors.rows() > 0) part.instruments.col(i) = test.instrument_errors.col(column);
+      comparison.instrument_sd(at) = test.instrument_sd(column);
       if (test.own_sd.size() > 0) comparison.own_sd(at) = test.own_sd(column);
       part.meshes.col(i) = centred(test.base.col(column));
     }

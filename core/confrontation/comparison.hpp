@@ -14,7 +14,6 @@ struct ComparedTest {
   Eigen::Index first = 0;
   Eigen::MatrixXd meshes;     ///< Runs of the base by slots, each column's mean taken off, with the spread of the runs.
   Eigen::Index averaged = 0;  ///< Number of runs of which the model's mean is.
-  Eigen::MatrixXd instruments = {};  ///< Independent errors by slots; TestEvidence::instrument_errors.
 };
 
 /// A slot that is not compared, and why.
@@ -31,6 +30,7 @@ struct Comparison {
   Eigen::VectorXd data, model;  ///< Means over specimens and over meshes.
   Eigen::VectorXd specimens;    ///< Number of measured values.
   Eigen::VectorXd meshes;       ///< Number of runs behind the model's mean.
+  Eigen::VectorXd instrument_sd;
   Eigen::VectorXd own_sd;       ///< Of one specimen, by instruments' zeros and rows' noise.
   Eigen::MatrixXd jacobian;     ///< By coded parameter, central differences; Eq. (N7). One-sided at a limit.
   Eigen::MatrixXd curvature;    ///< By coded parameter, second differences that stand out of their error, else 0.

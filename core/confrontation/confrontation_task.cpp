@@ -7,7 +7,6 @@
 
 #include "core/config/mechanism_declaration.hpp"
 #include "core/confrontation/feature_rules.hpp"
-#include "core/confrontation/instrument_errors.hpp"
 #include "core/confrontation/test_features.hpp"
 #include "core/confrontation/virtual_test.hpp"
 
@@ -21,30 +20,63 @@ constexpr double kStep = 0.6;            // of the declared strong amplitude: th
 constexpr double kWhole = 1.0;           // where a parameter takes whole numbers
 constexpr double kMostAmplitude = 3.0;   // times the declared strong one
 constexpr double kReferenceReach = 4.0;  // steps about the reference in which effects there still hold
+constexpr double kPercent = 0.01;
 
 double transformed(const FeatureSlot& slot, double value) {
   if (!slot.logarithmic) return value;
   return value > 0.0 ? std::log(value) : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Error of a feature's mean by the test's instruments, in the slot's unit.
+double instrument_error(const FeatureSlot& slot, const TestFeature& feature, const MeasuredTest& test) {
+  double sum = 0.0;
+  for (const SpecimenValue& s : feature.specimens) {
+    if (!s.value) continue;
+    const bool stress = slot.kind->unit == "MPa" || slot.kind->unit == "N/mm";
+    const double sd =
+        s.from_results && stress ? kPercent * test.instrument.load_scale_percent * std::abs(*s.value) : s.instrument_sd;
+    sum += slot.logarithmic && *s.value > 0.0 ? sd / *s.value : sd;
+  }
+  return feature.count > 0 ? sum / feature.count : 0.0;
+}
+
+/// Standard deviation that the noise of a specimen's rows makes, Eq. (N24), in the slot's unit.
+double noise_error(const FeatureSlot& slot, const TestFeature& feature) {
+  double square = 0.0;
+  for (const SpecimenValue& s : feature.specimens) {
+    if (!s.value) continue;
+    square += std::pow(slot.logarithmic && *s.value > 0.0 ? s.noise_sd / *s.value : s.noise_sd, 2);
+  }
+  return feature.count > 0 ? std::sqrt(square / feature.count) : 0.0;
+}
+
+/// Scales are the instruments', the same for every specimen; zeros are set anew for each.
+MeasuredTest without_zero_errors(MeasuredTest test) {
+  test.instrument.load_zero_percent = test.instrument.displacement_zero_mm = 0.0;
+  return test;
+}
+
 void take_measured(TestEvidence& evidence, const MeasuredTest& test) {
-  const std::vector<TestFeature> features = features_of(test);
+  const std::vector<TestFeature> features = features_of(test), scales = features_of(without_zero_errors(test));
   const std::span<const FeatureKind> kinds = feature_kinds(test.experiment);
   const auto specimens = static_cast<Index>(features.front().specimens.size());
   evidence.measured.resize(specimens, static_cast<Index>(evidence.slots.size()));
-  std::vector<const TestFeature*> compared;
+  evidence.instrument_sd.resize(static_cast<Index>(evidence.slots.size()));
+  evidence.own_sd.resize(static_cast<Index>(evidence.slots.size()));
   for (std::size_t s = 0; s < evidence.slots.size(); ++s) {
     const FeatureSlot& slot = evidence.slots[s];
-    compared.push_back(&features[static_cast<std::size_t>(slot.kind - kinds.data())]);
+    const auto kind = static_cast<std::size_t>(slot.kind - kinds.data());
+    const TestFeature& feature = features[kind];
+    const auto column = static_cast<Index>(s);
+    const double shared = instrument_error(slot, scales[kind], test), all = instrument_error(slot, feature, test);
+    const double own = std::max(0.0, all * all - shared * shared) + std::pow(noise_error(slot, feature), 2);
+    evidence.own_sd(column) = std::sqrt(own);
+    evidence.instrument_sd(column) = std::sqrt(shared * shared + own / std::max(1, feature.count));
     for (Index i = 0; i < specimens; ++i) {
-      const auto& value = compared.back()->specimens[static_cast<std::size_t>(i)].value;
-      evidence.measured(i, static_cast<Index>(s)) =
-          value ? transformed(slot, *value) : std::numeric_limits<double>::quiet_NaN();
+      const auto& value = feature.specimens[static_cast<std::size_t>(i)].value;
+      evidence.measured(i, column) = value ? transformed(slot, *value) : std::numeric_limits<double>::quiet_NaN();
     }
   }
-  const MeasuredErrors errors = measured_errors(evidence.slots, compared, test);
-  evidence.instrument_errors = errors.of_mean;
-  evidence.own_sd = errors.own_sd;
 }
 
 /// A strength without a curve may be that of a specimen that flows, so a run's largest stress is read beside it.

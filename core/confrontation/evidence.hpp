@@ -29,12 +29,10 @@ struct TestEvidence {
   ScatterSource scatter = ScatterSource::pooled;
   std::vector<FeatureSlot> slots;
   Samples measured;
-  /// What the instruments' independent errors of one standard deviation, a row each, change the specimens' mean by,
-  /// slot by slot, in the samples' unit; no row: exact instruments.
-  Eigen::MatrixXd instrument_errors;
-  Eigen::VectorXd own_sd;  ///< Of one specimen, by instruments' zeros and rows' noise, each its own; empty: none.
-  Samples base;            ///< The base model at the parameters' reference.
-  Eigen::Index apart = 0;  ///< First rows of it that the gate leaves out: those of effects; 0: it takes all.
+  Eigen::VectorXd instrument_sd;   ///< Of the specimens' mean, slot by slot, in the samples' unit.
+  Eigen::VectorXd own_sd;          ///< Of one specimen, by instruments' zeros and rows' noise, each its own; empty: none.
+  Samples base;                    ///< The base model at the parameters' reference.
+  Eigen::Index apart = 0;          ///< First rows of it that the gate leaves out: those of effects; 0: it takes all.
   std::vector<Samples> low, high;  ///< By parameter, on common meshes, one step below and above.
   std::vector<Samples> mechanism;  ///< By candidate, on common meshes, at the candidate's amplitude.
   std::vector<Samples> far;        ///< By candidate, likewise, at its second amplitude; no row: not run.

@@ -108,9 +108,8 @@ MatrixXd difference_covariance(const Comparison& comparison, const std::vector<M
     const VectorXd meshes = comparison.meshes.segment(first, n).array().rsqrt();
     covariance.block(first, first, n, n) = specimens.asDiagonal() * run[t] * specimens.asDiagonal();
     covariance.block(first, first, n, n) += meshes.asDiagonal() * run[t] * meshes.asDiagonal();
-    const MatrixXd& instruments = comparison.tests[t].instruments;
-    covariance.block(first, first, n, n) += instruments.transpose() * instruments;
   }
+  covariance.diagonal() += comparison.instrument_sd.array().square().matrix();
   return covariance;
 }
 
@@ -145,12 +144,6 @@ MatrixXd drawn_rows(const MatrixXd& rows, RandomStream& random) {
   for (Index i = 0; i < rows.rows(); ++i)
     drawn.row(i) = rows.row(static_cast<Index>(random.below(static_cast<std::uint64_t>(rows.rows()))));
   return drawn;
-}
-
-VectorXd drawn_instruments(const ComparedTest& part, RandomStream& random) {
-  VectorXd errors(part.instruments.rows());
-  for (double& e : errors) e = random.normal();
-  return part.instruments.transpose() * errors;
 }
 
 /// The runs' rows with the standard deviations that are believed.
@@ -200,9 +193,11 @@ Repetition repeat(const Comparison& comparison, const Scatter& scatter, const No
     const VectorXd mean = again.topRows(part.averaged).colwise().mean();
     again.rowwise() -= again.colwise().mean().eval();
     meshes.push_back(again);
-    repetition.difference.segment(part.first, n) = data - mean + drawn_instruments(part, random);
+    repetition.difference.segment(part.first, n) = data - mean;
     repetition.least_difference.segment(part.first, n) = least - mean;
   }
+  for (Index i = 0; i < repetition.difference.size(); ++i)
+    repetition.difference(i) += comparison.instrument_sd(i) * random.normal();
   repetition.covariance = difference_covariance(comparison, run_covariances(noise_blocks(comparison, meshes), options),
                                                 scatter.specimen_factor);
   repetition.covariance += scatter.effects;

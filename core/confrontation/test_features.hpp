@@ -8,17 +8,11 @@
 
 namespace asperity {
 
-/// What errors of one standard deviation change a feature by, each by itself; empty of a result and of a simulation.
-struct InstrumentErrors {
-  std::vector<double> scales;  ///< Of load and path, Eq. (N1): all specimens of a test have the same.
-  std::vector<double> zeros;   ///< Of load and path, Eq. (N1): each specimen has its own.
-  std::vector<double> noise;   ///< Draws of the rows' noise, Eq. (N24), whose squares' sum is its variance.
-};
-
 /// One feature of one specimen.
 struct SpecimenValue {
   std::optional<double> value;
-  InstrumentErrors errors;
+  double instrument_sd = 0;   ///< From errors of scale and zero, Eq. (N1); 0 of a result and of a simulation.
+  double noise_sd = 0;        ///< From the noise of single rows, Eq. (N24); 0 likewise.
   bool from_results = false;  ///< The laboratory's own number: the curve does not give one.
   std::string absent;         ///< Why there is no value.
 };
@@ -37,10 +31,11 @@ std::vector<TestFeature> features_of(const MeasuredTest& test);
 /// The same of one curve, e.g. a simulated one.
 std::vector<TestFeature> features_of(const Curve& curve, const CurveReading& reading);
 
-/// Standard deviation by errors of scale and zero; Eq. (N1).
-double instrument_sd(const InstrumentErrors& errors);
+/// Standard deviation of each feature from the instruments' errors of scale and zero; Eq. (N1).
+std::vector<double> instrument_deviations(const Curve& curve, const MeasuredTest& test);
 
-/// Standard deviation by the noise of single rows; Eq. (N24).
-double noise_sd(const InstrumentErrors& errors);
+/// Standard deviation of each feature from the noise of the curve's rows; Eq. (N24). `specimen`: its place in the test,
+/// so that no two have the same draws.
+std::vector<double> noise_deviations(const Curve& curve, const MeasuredTest& test, std::size_t specimen);
 
 }  // namespace asperity

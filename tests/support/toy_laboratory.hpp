@@ -69,6 +69,7 @@ inline TestEvidence test_evidence(const World& world, const Directions& d, const
   TestEvidence test;
   test.id = "T" + std::to_string(number);
   for (int f = 0; f < world.features; ++f) test.slots.push_back({kind(f), false, 0.01});
+  test.instrument_sd = VectorXd::Zero(n);
   test.base = scatter(world, world.meshes, random);
   const auto on_common = [&](const VectorXd& change) {
     Samples runs =

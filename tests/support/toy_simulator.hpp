@@ -75,6 +75,7 @@ inline ConfrontationTask task_of(ToySimulator& simulator, const VectorXd& truth,
     test.id = "T" + std::to_string(t);
     test.use = t + 1 == ToySimulator::kTests ? TestUse::hold_out : TestUse::fit;
     for (int f = 0; f < ToySimulator::kFeatures; ++f) test.slots.push_back({toy::kind(f), false, 0.01});
+    test.instrument_sd = VectorXd::Zero(ToySimulator::kFeatures);
     test.measured.resize(6, ToySimulator::kFeatures);
     for (std::uint64_t s = 0; s < 6; ++s)
       test.measured.row(static_cast<Index>(s)) = simulator.values({t, truth, hidden, 9000 + s}).transpose();

@@ -21,7 +21,7 @@ TEST_CASE("an instrument's errors go into a feature as its equation has them") {
                                         {"displacement_scale_percent", 1},
                                         {"displacement_zero_mm", 0.5}};
   for (const TestFeature& f : features_of(folder.read(document).tests[0])) {
-    const double sd = instrument_sd(f.specimens.front().errors);
+    const double sd = f.specimens.front().instrument_sd;
     if (f.kind->name == "peak_axial_stress_mpa") CHECK(sd == Approx(0.5));                      // of 10: 0.3 and 0.4
     if (f.kind->name == "peak_axial_strain") CHECK(sd == Approx(std::hypot(1e-4, 0.5 / 100)));  // 0.5 mm of 100 mm
     if (f.kind->name == "peak_strain_from_toe") CHECK(sd == Approx(std::hypot(1e-4, 4e-4)));  // the zeros of path: none
@@ -63,7 +63,7 @@ TEST_CASE("what rows' noise is said to make of a feature is what specimens scatt
         f.kind->name != "lateral_ratio" && f.kind->name != "drop_share")
       continue;
     double square = 0.0;
-    for (const SpecimenValue& s : f.specimens) square += std::pow(noise_sd(s.errors), 2) / static_cast<double>(f.count);
+    for (const SpecimenValue& s : f.specimens) square += s.noise_sd * s.noise_sd / static_cast<double>(f.count);
     CAPTURE(f.kind->name, f.mean, f.sd, std::sqrt(square));
     CHECK(f.count == 150);
     CHECK(std::sqrt(square) / f.sd == Approx(1.0).margin(0.2));
@@ -76,5 +76,5 @@ TEST_CASE("rows without noise make no scatter") {
   const Folder folder("exact_rows");
   folder.put("c.csv", noisy_specimens(1, 0.0));
   for (const TestFeature& f : features_of(folder.read(with_noise_of(0.0)).tests[0]))
-    CHECK(noise_sd(f.specimens.front().errors) == Approx(0.0).margin(1e-12));  // rounding of the draws' mean
+    CHECK(f.specimens.front().noise_sd == Approx(0.0).margin(1e-12));  // rounding of the draws' mean
 }
