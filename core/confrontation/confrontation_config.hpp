@@ -63,7 +63,7 @@ struct ConfrontationConfig {
   LineariseAt linearise_at = LineariseAt::calibrated;
   MeshCounts meshes;
   std::size_t draws = 400;
-  double alarm_level = 0.01;  ///< Of the gate's largest explained part, by chance alone.
+  double alarm_level = 0.02;  ///< Of the gate's largest explained part, by chance alone.
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> bank;
   SlurmConfig slurm;

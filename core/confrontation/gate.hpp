@@ -11,7 +11,7 @@ namespace asperity {
 struct GateOptions {
   int draws = 400;
   std::uint64_t seed = 1;
-  double explained_level = 0.01;  ///< Of the largest explained part.
+  double explained_level = 0.02;  ///< Of the largest explained part.
   double misfit_level = 1e-4;     ///< Of the whole misfit.
   NoiseOptions noise;
 };

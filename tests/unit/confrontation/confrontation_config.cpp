@@ -63,14 +63,14 @@ TEST_CASE("a confrontation is read with its measured file, parameters, features 
   document["linearise_at"] = "reference";
   document["bank"] = "bank.txt";
   document["slurm"] = {{"partition", "short"}};
-  const ConfrontationConfig config = folder.read(document, {"/draws=260", "/alarm_level=0.02"});
+  const ConfrontationConfig config = folder.read(document, {"/draws=260", "/alarm_level=0.05"});
   CHECK(config.measured.name == "D17");
   CHECK(config.measured_path == folder.root() / "data.json");
   CHECK(config.bank == folder.root() / "bank.txt");
   CHECK(config.meshes.noise == 10);
   CHECK(config.meshes.screen == 3);
   CHECK(config.draws == 260);
-  CHECK(config.alarm_level == 0.02);
+  CHECK(config.alarm_level == 0.05);
   CHECK(config.linearise_at == LineariseAt::reference);
   CHECK(config.slurm.partition == "short");
   CHECK(config.declared.at(0).value == "18 GPa");
