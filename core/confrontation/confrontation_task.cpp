@@ -27,14 +27,15 @@ double transformed(const FeatureSlot& slot, double value) {
   return value > 0.0 ? std::log(value) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Error of a feature's mean by the test's instruments, in the slot's unit.
-double instrument_error(const FeatureSlot& slot, const TestFeature& feature, const MeasuredTest& test) {
+/// Mean over specimens of a standard deviation by instruments, in the slot's unit.
+double instrument_error(const FeatureSlot& slot, const TestFeature& feature, const MeasuredTest& test,
+                        double SpecimenValue::*deviation) {
   double sum = 0.0;
   for (const SpecimenValue& s : feature.specimens) {
     if (!s.value) continue;
     const bool stress = slot.kind->unit == "MPa" || slot.kind->unit == "N/mm";
     const double sd =
-        s.from_results && stress ? kPercent * test.instrument.load_scale_percent * std::abs(*s.value) : s.instrument_sd;
+        s.from_results && stress ? kPercent * test.instrument.load_scale_percent * std::abs(*s.value) : s.*deviation;
     sum += slot.logarithmic && *s.value > 0.0 ? sd / *s.value : sd;
   }
   return feature.count > 0 ? sum / feature.count : 0.0;
@@ -50,14 +51,8 @@ double noise_error(const FeatureSlot& slot, const TestFeature& feature) {
   return feature.count > 0 ? std::sqrt(square / feature.count) : 0.0;
 }
 
-/// Scales are the instruments', the same for every specimen; zeros are set anew for each.
-MeasuredTest without_zero_errors(MeasuredTest test) {
-  test.instrument.load_zero_percent = test.instrument.displacement_zero_mm = 0.0;
-  return test;
-}
-
 void take_measured(TestEvidence& evidence, const MeasuredTest& test) {
-  const std::vector<TestFeature> features = features_of(test), scales = features_of(without_zero_errors(test));
+  const std::vector<TestFeature> features = features_of(test);
   const std::span<const FeatureKind> kinds = feature_kinds(test.experiment);
   const auto specimens = static_cast<Index>(features.front().specimens.size());
   evidence.measured.resize(specimens, static_cast<Index>(evidence.slots.size()));
@@ -68,7 +63,8 @@ void take_measured(TestEvidence& evidence, const MeasuredTest& test) {
     const auto kind = static_cast<std::size_t>(slot.kind - kinds.data());
     const TestFeature& feature = features[kind];
     const auto column = static_cast<Index>(s);
-    const double shared = instrument_error(slot, scales[kind], test), all = instrument_error(slot, feature, test);
+    const double shared = instrument_error(slot, feature, test, &SpecimenValue::scale_sd);
+    const double all = instrument_error(slot, feature, test, &SpecimenValue::instrument_sd);
     const double own = std::max(0.0, all * all - shared * shared) + std::pow(noise_error(slot, feature), 2);
     evidence.own_sd(column) = std::sqrt(own);
     evidence.instrument_sd(column) = std::sqrt(shared * shared + own / std::max(1, feature.count));

@@ -8,8 +8,9 @@
 namespace asperity {
 namespace {
 
-constexpr double kShare = 0.01;  // of a percentage
-constexpr int kNoiseDraws = 24;  // a standard deviation to 15 %
+constexpr double kShare = 0.01;     // of a percentage
+constexpr std::size_t kScales = 2;  // errors of scale: of load and path
+constexpr int kNoiseDraws = 24;     // a standard deviation to 15 %
 
 double largest(const std::vector<double>& column) {
   double most = 0.0;
@@ -27,14 +28,14 @@ std::optional<double> path_length(const MeasuredTest& test) {
   return path_is_gauge(test) ? test.axial_gauge_mm : test.height_mm;
 }
 
-/// The curve with each instrument's error put in, one at a time.
+/// The curve with each instrument's error put in, one at a time: the two of scale first.
 std::vector<Curve> curves_with_errors(const Curve& curve, const MeasuredTest& test) {
   const Instrument& i = test.instrument;
   std::vector<Curve> curves(3, curve);
   change(curves[0].load, 1.0 + kShare * i.load_scale_percent, 0.0);
-  change(curves[1].load, 1.0, kShare * i.load_zero_percent * largest(curve.load));
-  change(curves[2].path, 1.0 + kShare * i.displacement_scale_percent, 0.0);
-  change(curves[2].gauge_strain, 1.0 + kShare * i.displacement_scale_percent, 0.0);
+  change(curves[1].path, 1.0 + kShare * i.displacement_scale_percent, 0.0);
+  change(curves[1].gauge_strain, 1.0 + kShare * i.displacement_scale_percent, 0.0);
+  change(curves[2].load, 1.0, kShare * i.load_zero_percent * largest(curve.load));
   if (const auto length = path_length(test)) {
     curves.push_back(curve);
     change(curves.back().path, 1.0, i.displacement_zero_mm / *length);
@@ -58,14 +59,34 @@ Curve with_noise(Curve curve, const Instrument& instrument, RandomStream& random
   return curve;
 }
 
-/// About their mean; 0 of fewer than two.
-double standard_deviation(const std::vector<double>& values) {
-  if (values.size() < 2) return 0.0;
-  double sum = 0.0, square = 0.0;
-  for (const double v : values) sum += v;
-  const double mean = sum / static_cast<double>(values.size());
-  for (const double v : values) square += (v - mean) * (v - mean);
-  return std::sqrt(square / static_cast<double>(values.size() - 1));
+/// `specimen`: its place in the test, so that no two have the same draws.
+std::vector<Curve> curves_with_noise(const Curve& curve, const MeasuredTest& test, std::size_t specimen) {
+  RandomStream random(specimen, "noise of rows");
+  std::vector<Curve> curves;
+  for (int d = 0; d < kNoiseDraws; ++d) curves.push_back(with_noise(curve, test.instrument, random));
+  return curves;
+}
+
+using Features = std::vector<FeatureValue>;
+
+std::vector<Features> read_all(const std::vector<Curve>& curves, const CurveReading& reading) {
+  std::vector<Features> all;
+  for (const Curve& curve : curves) all.push_back(read_features(curve, reading));
+  return all;
+}
+
+/// Of feature `k` over the curves that give it; 0 of fewer than two.
+double standard_deviation(const std::vector<Features>& drawn, std::size_t k) {
+  double count = 0.0, sum = 0.0, square = 0.0;
+  for (const Features& features : drawn) {
+    count += features[k].value ? 1.0 : 0.0;
+    sum += features[k].value.value_or(0.0);
+  }
+  if (count < 2.0) return 0.0;
+  for (const Features& features : drawn) {
+    if (features[k].value) square += std::pow(*features[k].value - sum / count, 2);
+  }
+  return std::sqrt(square / (count - 1.0));
 }
 
 void take_mean(TestFeature& feature) {
@@ -92,12 +113,29 @@ std::vector<TestFeature> without_values(ExperimentType experiment) {
   return features;
 }
 
-void add_curve(const std::vector<FeatureValue>& values, const std::vector<double>& instrument,
-               const std::vector<double>& noise, std::vector<TestFeature>& features) {
+/// Root of the sum of squares of what the first so many curves change a feature by.
+double deviation(const std::vector<Features>& changed, std::size_t curves, std::size_t k, double from) {
+  double square = 0.0;
+  for (std::size_t c = 0; c < curves; ++c) {
+    if (changed[c][k].value) square += std::pow(*changed[c][k].value - from, 2);
+  }
+  return std::sqrt(square);
+}
+
+void add_curve(const MeasuredTest& test, std::size_t specimen, std::vector<TestFeature>& features) {
+  const CurveReading reading = reading_of(test);
+  const Curve& curve = test.curves[specimen].curve;
+  const Features values = read_features(curve, reading);
+  const std::vector<Features> changed = read_all(curves_with_errors(curve, test), reading),
+                              noisy = read_all(curves_with_noise(curve, test, specimen), reading);
   for (std::size_t k = 0; k < features.size(); ++k) {
-    const bool there = values[k].value.has_value();
-    features[k].specimens.push_back(
-        {values[k].value, there ? instrument[k] : 0.0, there ? noise[k] : 0.0, false, values[k].absent});
+    SpecimenValue specimen_value{values[k].value, 0.0, 0.0, 0.0, false, values[k].absent};
+    if (values[k].value) {
+      specimen_value.instrument_sd = deviation(changed, changed.size(), k, *values[k].value);
+      specimen_value.scale_sd = deviation(changed, kScales, k, *values[k].value);
+      specimen_value.noise_sd = standard_deviation(noisy, k);
+    }
+    features[k].specimens.push_back(std::move(specimen_value));
   }
 }
 
@@ -106,55 +144,21 @@ void add_results(const MeasuredTest& test, std::size_t specimens, std::vector<Te
   for (TestFeature& feature : features) {
     const char* why =
         test.curves.empty() ? "not among the results, and there is no curve" : "no curve of this specimen";
-    while (feature.specimens.size() < specimens) feature.specimens.push_back({std::nullopt, 0.0, 0.0, false, why});
+    while (feature.specimens.size() < specimens) feature.specimens.push_back({std::nullopt, 0.0, 0.0, 0.0, false, why});
     const auto given = test.results.find(std::string(feature.kind->name));
     if (given == test.results.end()) continue;
     for (std::size_t i = 0; i < given->second.size(); ++i) {
       if (feature.specimens[i].value || std::isnan(given->second[i])) continue;
-      feature.specimens[i] = {given->second[i], 0.0, 0.0, true, ""};
+      feature.specimens[i] = {given->second[i], 0.0, 0.0, 0.0, true, ""};
     }
   }
 }
 
 }  // namespace
 
-std::vector<double> instrument_deviations(const Curve& curve, const MeasuredTest& test) {
-  const CurveReading reading = reading_of(test);
-  const std::vector<FeatureValue> base = read_features(curve, reading);
-  std::vector<double> square(base.size(), 0.0);
-  for (const Curve& changed : curves_with_errors(curve, test)) {
-    const std::vector<FeatureValue> values = read_features(changed, reading);
-    for (std::size_t k = 0; k < base.size(); ++k) {
-      if (base[k].value && values[k].value) square[k] += std::pow(*values[k].value - *base[k].value, 2);
-    }
-  }
-  for (double& s : square) s = std::sqrt(s);
-  return square;
-}
-
-std::vector<double> noise_deviations(const Curve& curve, const MeasuredTest& test, std::size_t specimen) {
-  const CurveReading reading = reading_of(test);
-  RandomStream random(specimen, "noise of rows");
-  std::vector<std::vector<double>> values(feature_kinds(test.experiment).size());
-  for (int d = 0; d < kNoiseDraws; ++d) {
-    const std::vector<FeatureValue> drawn = read_features(with_noise(curve, test.instrument, random), reading);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      if (drawn[k].value) values[k].push_back(*drawn[k].value);
-    }
-  }
-  std::vector<double> deviations;
-  for (const std::vector<double>& v : values) deviations.push_back(standard_deviation(v));
-  return deviations;
-}
-
 std::vector<TestFeature> features_of(const MeasuredTest& test) {
   std::vector<TestFeature> features = without_values(test.experiment);
-  const CurveReading reading = reading_of(test);
-  for (std::size_t i = 0; i < test.curves.size(); ++i) {
-    const Curve& curve = test.curves[i].curve;
-    add_curve(read_features(curve, reading), instrument_deviations(curve, test), noise_deviations(curve, test, i),
-              features);
-  }
+  for (std::size_t i = 0; i < test.curves.size(); ++i) add_curve(test, i, features);
   add_results(test, specimens_of(test).size(), features);
   for (TestFeature& feature : features) take_mean(feature);
   return features;
@@ -162,8 +166,9 @@ std::vector<TestFeature> features_of(const MeasuredTest& test) {
 
 std::vector<TestFeature> features_of(const Curve& curve, const CurveReading& reading) {
   std::vector<TestFeature> features = without_values(reading.experiment);
-  const std::vector<double> exact(features.size(), 0.0);
-  add_curve(read_features(curve, reading), exact, exact, features);
+  const Features values = read_features(curve, reading);
+  for (std::size_t k = 0; k < features.size(); ++k)
+    features[k].specimens.push_back({values[k].value, 0.0, 0.0, 0.0, false, values[k].absent});
   for (TestFeature& feature : features) take_mean(feature);
   return features;
 }

@@ -12,6 +12,7 @@ namespace asperity {
 struct SpecimenValue {
   std::optional<double> value;
   double instrument_sd = 0;   ///< From errors of scale and zero, Eq. (N1); 0 of a result and of a simulation.
+  double scale_sd = 0;        ///< From those of scale alone, which all specimens of a test share; 0 likewise.
   double noise_sd = 0;        ///< From the noise of single rows, Eq. (N24); 0 likewise.
   bool from_results = false;  ///< The laboratory's own number: the curve does not give one.
   std::string absent;         ///< Why there is no value.
@@ -30,12 +31,5 @@ std::vector<TestFeature> features_of(const MeasuredTest& test);
 
 /// The same of one curve, e.g. a simulated one.
 std::vector<TestFeature> features_of(const Curve& curve, const CurveReading& reading);
-
-/// Standard deviation of each feature from the instruments' errors of scale and zero; Eq. (N1).
-std::vector<double> instrument_deviations(const Curve& curve, const MeasuredTest& test);
-
-/// Standard deviation of each feature from the noise of the curve's rows; Eq. (N24). `specimen`: its place in the test,
-/// so that no two have the same draws.
-std::vector<double> noise_deviations(const Curve& curve, const MeasuredTest& test, std::size_t specimen);
 
 }  // namespace asperity

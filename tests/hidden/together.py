@@ -1,4 +1,4 @@
-"""Rates of several series of one suite together: together.py FOLDER... [--alarm-level 0.01] [--confusion FILE].
+"""Rates of several series of one suite together: together.py FOLDER... [--alarm-level 0.02] [--confusion FILE].
 
 FOLDER is a series' own, with rows.jsonl; the level is at most the one that they were run at. By kind of data set and by what is hidden, for
 effects also by whether the rock has the base's particles or others, which is a second effect. FILE is for `asperity report --confusion`.
@@ -36,7 +36,7 @@ def text_of(rows):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("series", type=pathlib.Path, nargs="+")
-    parser.add_argument("--alarm-level", type=float, default=0.01)
+    parser.add_argument("--alarm-level", type=float, default=0.02)
     parser.add_argument("--confusion", type=pathlib.Path)
     o = parser.parse_args()
     lines = [line for folder in o.series for line in (folder / "rows.jsonl").read_text().splitlines()]
