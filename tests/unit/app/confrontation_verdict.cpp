@@ -149,7 +149,7 @@ TEST_CASE("a fingerprint is drawn at the strength that explains most, and not be
   CHECK(explaining_amplitude(d.data(), d.data().candidates[1]) == Approx(0.0).margin(1e-12));
   const render::BarPanels bars = fingerprint_bars(d.data());
   REQUIRE(bars.panels.size() == 3);
-  CHECK(bars.panels[1].heading == "platen_friction × 1");
+  CHECK(bars.panels[1].heading == "platen_friction");
   CHECK(bars.panels[1].values == std::vector<double>{3, -4});
   d.shown["candidates"][0]["projected"] = {-3, 4};
   CHECK(explaining_amplitude(d.data(), d.data().candidates[0]) == 0.0);
