@@ -55,7 +55,7 @@ TEST_CASE("a kind of feature that specimens scatter much more than runs do leave
   }
 }
 
-TEST_CASE("what the instruments' zeros add to specimens is not taken for rougher rock") {
+TEST_CASE("what instruments' zeros and rows' noise add to specimens is not taken for rougher rock") {
   const toy::World world;
   Evidence evidence = with_rough_kind(world, 1, 3, 10.0);
   for (TestEvidence& test : evidence.tests) {

@@ -30,7 +30,8 @@ TEST_CASE("an instrument's errors go into a feature as its equation has them") {
 
 namespace {
 
-/// Specimens that differ by the noise of their rows alone: up to 10 MPa at 0.01, down again, twice as wide as long.
+/// Specimens that differ by the noise of their rows alone: up to 10 MPa at a strain of 0.01, down to 2 MPa,
+/// widening by a quarter of the strain.
 std::string noisy_specimens(int specimens, double noise) {
   RandomStream random(20261127, "specimens");
   std::string text = "specimen,axial_strain,axial_stress_mpa,lateral_strain\n";
