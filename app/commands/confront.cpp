@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kResults{"verdict.json", "shown.json", "report.html", "report.md",
-                                        "configs",      "plots",      "pictures"};
+const std::vector<std::string> kResults{"frozen.json", "verdict.json", "shown.json", "report.html",
+                                        "report.md",   "configs",      "plots",      "pictures"};
 
 void print_verdict(const Confrontation& confrontation, const FeatureCost& cost) {
   std::cout << "status " << word(confrontation.conclusion.status);
@@ -64,6 +64,7 @@ void carry_through(const ConfrontCommandOptions& options, const ConfrontationCon
     return values;
   };
   const ConfrontationTask task = confrontation_task(config, features);
+  write_file_atomically(out / "frozen.json", frozen_record(config, task));
   const Confrontation confrontation = confront(task);
   VerdictContext context = verdict_context(config, task, confrontation);
   const auto write_verdict = [&] {

@@ -15,10 +15,16 @@ std::string percent(double share) { return std::isfinite(share) ? fmt::format("{
 
 std::string one_decimal(double value) { return std::isfinite(value) ? fmt::format("{:.1f}", value) : "–"; }
 
+std::string convergence_words(const Value& candidate) {
+  return candidate["converged"].exists() && !candidate["converged"].truth()
+             ? "; the refit did not converge, a better fit may exist"
+             : "";
+}
+
 PlainTable candidates_table(const ConfrontationData& data) {
   PlainTable table{
-      "Candidates that were refitted together with the microparameters, the best fit first. Misfit: "
-      "squared length of what is left. Explained: what the fingerprint takes of it at the base's "
+      "Candidates that were refitted together with the microparameters, the likeliest first. Misfit: what is left, "
+      "in squared standard deviations. Explained: what the fingerprint takes of it at the base's "
       "calibration. Absorbed: share of the fingerprint that calibration hides.",
       {{"Mechanism", "", ColumnKind::head},
        {"Strength", "", ColumnKind::prose},
@@ -32,7 +38,7 @@ PlainTable candidates_table(const ConfrontationData& data) {
     const std::string id = c["id"].text();
     table.rows.push_back(
         {{mechanism_name(id) + (c["suspect"].truth() ? ", a setting of the solver" : ""),
-          amplitude_words(id, c["amplitude"].number(), c["amplitude_error"].number()),
+          amplitude_words(id, c["amplitude"].number(), c["amplitude_error"].number()) + convergence_words(c),
           one_decimal(c["misfit"].number()), one_decimal(c["explained"].number()),
           percent(c["absorbed_share"].number()),
           (kept ? "kept: " : "refuted: ") + hypothesis_words(c["p_misfit"].number(), c["p_excess"].number())},
@@ -56,10 +62,11 @@ PlainTable pairs_table(const ConfrontationData& data) {
       strengths.push_back(amplitude_words(ids[i].text(), amplitudes[i], errors[i]));
     const bool kept = p["kept"].truth();
     const std::string judged = hypothesis_words(p["p_misfit"].number(), p["p_excess"].number());
-    table.rows.push_back(
-        {{causes_words(p["ids"]), joined(strengths), one_decimal(p["misfit"].number()),
-          kept ? "kept: " + judged : p["both_act"].truth() ? "refuted: " + judged : "no pair: one of the two need not act"},
-         kept ? html::RowTone::good : html::RowTone::quiet});
+    table.rows.push_back({{causes_words(p["ids"]), joined(strengths), one_decimal(p["misfit"].number()),
+                           kept                    ? "kept: " + judged
+                           : p["both_act"].truth() ? "refuted: " + judged
+                                                   : "no pair: one of the two need not act"},
+                          kept ? html::RowTone::good : html::RowTone::quiet});
   }
   return table;
 }

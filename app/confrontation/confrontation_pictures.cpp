@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 #include "app/confrontation/words.hpp"
 #include "core/base/output_error.hpp"
@@ -47,12 +47,6 @@ std::vector<render::BarRow> rows_of(const ConfrontationData& data) {
   return rows;
 }
 
-std::string extension_name(const ConfrontationData& data) {
-  std::string text;
-  for (const std::string& id : data.extension) text += (text.empty() ? "" : " + ") + id;
-  return text;
-}
-
 render::BarPanel fingerprint_panel(const ConfrontationData& data, const ShownCandidate& candidate) {
   const double amplitude = explaining_amplitude(data, candidate);
   render::BarPanel panel{candidate.id, {}, render::style::kVermilion};
@@ -73,6 +67,28 @@ std::optional<Frame> last_frame(const std::vector<ShownCurve>& runs, const std::
   return std::nullopt;
 }
 
+double stress_of(const ShownTest& test) {
+  return test.normal_stress_mpa.value_or(test.confining_pressure_mpa.value_or(0.0));
+}
+
+/// Of each experiment the tests under the least and the greatest stress, by their pictures' names.
+std::map<std::string, const ShownTest*> pattern_tests(const ConfrontationData& data) {
+  std::map<std::string, const ShownTest*> least, all;
+  for (const ShownTest& test : data.tests) {
+    const std::string name(word(test.experiment));
+    const ShownTest*& low = least.try_emplace(name, &test).first->second;
+    const ShownTest*& high = all.try_emplace(name + "_high", &test).first->second;
+    if (stress_of(test) < stress_of(*low)) low = &test;
+    if (stress_of(test) > stress_of(*high)) high = &test;
+  }
+  for (const auto& [name, test] : least) {
+    all[name] = test;
+    if (all.at(name + "_high") == test || stress_of(*all.at(name + "_high")) == stress_of(*test))
+      all.erase(name + "_high");
+  }
+  return all;
+}
+
 /// Whether both models' runs are there, or the base's alone where nothing extends it.
 bool draw_pattern(const ConfrontationData& data, const ShownTest& test, const fs::path& png) {
   std::vector<render::StripPanel> panels;
@@ -87,6 +103,12 @@ bool draw_pattern(const ConfrontationData& data, const ShownTest& test, const fs
 }
 
 }  // namespace
+
+std::string extension_name(const ConfrontationData& data) {
+  std::string text;
+  for (const std::string& id : data.extension) text += (text.empty() ? "" : " + ") + id;
+  return text;
+}
 
 std::string test_title(const ShownTest& test) {
   std::string text = test.id + ": " + feature_words(word(test.experiment));
@@ -159,12 +181,10 @@ PlainFigure draw_charts(const ConfrontationData& data, const render::ChartFigure
 
 std::vector<PlainFigure> pattern_figures(const ConfrontationData& data) {
   std::vector<PlainFigure> figures;
-  std::set<ExperimentType> drawn;
-  for (const ShownTest& test : data.tests) {
-    if (drawn.contains(test.experiment)) continue;
-    const fs::path png = fs::path("pictures") / (std::string(word(test.experiment)) + ".png");
+  for (const auto& [name, shown] : pattern_tests(data)) {
+    const ShownTest& test = *shown;
+    const fs::path png = fs::path("pictures") / (name + ".png");
     if (!draw_pattern(data, test, data.folder / png) && !fs::exists(data.folder / png)) continue;
-    drawn.insert(test.experiment);
     const bool both = !data.extension.empty();
     figures.push_back(
         {png, "",

@@ -13,6 +13,9 @@
 /// and pictures/ (PNG). Drawing throws Error(output).
 namespace asperity::app {
 
+/// "a + b" of the model that is shown beside the base; empty: none.
+std::string extension_name(const ConfrontationData& data);
+
 /// "T30: triaxial, σ₃ = 30 MPa, kept back".
 std::string test_title(const ShownTest& test);
 
@@ -37,8 +40,9 @@ PlainFigure draw_bars(const ConfrontationData& data, const render::BarPanels& ba
 PlainFigure draw_matrix(const ConfrontationData& data, const render::MatrixPlot& matrix, const PlainFigure& texts);
 PlainFigure draw_charts(const ConfrontationData& data, const render::ChartFigure& figure, const PlainFigure& texts);
 
-/// Cracks at the end of the first mesh's runs of base and extension, side by side at one scale: one figure for the
-/// first test of each experiment. A picture that was drawn before stands where its run is gone.
+/// Cracks at the end of the first mesh's runs of base and extension, side by side at one scale: figures for the
+/// tests of each experiment under the least and the greatest stress. A picture that was drawn before stands where its
+/// run is gone.
 std::vector<PlainFigure> pattern_figures(const ConfrontationData& data);
 
 }  // namespace asperity::app

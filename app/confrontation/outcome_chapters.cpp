@@ -55,8 +55,7 @@ void add_rival(const Value& gain, const std::string& what, PlainTable& table) {
 
 PlainTable rivals_table(const Value& gain) {
   PlainTable table{
-      "The extension beside others that were kept and beside decoys: the next best mechanisms, which were "
-      "refuted.",
+      "The extension beside others that were kept and beside decoys: the next best mechanisms, which are not.",
       {{"Mechanism", "", ColumnKind::head},
        {"Role", "", ColumnKind::text},
        {"Change of log density", ""},
@@ -109,6 +108,13 @@ std::string meshes_words(const Value& meshes) {
       "{} a test for the scatter, {} for effects, {} for a first look at a mechanism, {} fresh ones of "
       "kept-back tests",
       meshes["noise"].count(), meshes["common"].count(), meshes["screen"].count(), meshes["fresh"].count());
+}
+
+std::string no_next_words(const ConfrontationData& data) {
+  if (data.shown["setting"]["linearised_at"].text() == "reference")
+    return "No further test that would tell these causes apart was simulated; `asperity confront` with --next-tests "
+           "does it where one can be made of these.";
+  return "None of the further tests that Asperity knows can be made of these.";
 }
 
 }  // namespace
@@ -175,6 +181,8 @@ Chapter next_chapter(const ConfrontationData& data) {
                            figures(n["distance"].number(), 2), percent_right(n["probability_correct"].number())},
                           html::RowTone::plain});
   if (!table.rows.empty()) chapter.blocks.emplace_back(std::move(table));
+  if (chapter.blocks.empty() && data.verdict["status"].text() == "indistinguishable")
+    chapter.blocks.emplace_back(Paragraph{no_next_words(data)});
   return chapter;
 }
 
@@ -193,16 +201,20 @@ Chapter provenance_chapter(const ConfrontationData& data) {
        {"Runs", runs_words(data.shown["cost"])},
        {"Meshes", meshes_words(setting["meshes"])},
        {"Draws", std::to_string(setting["draws"].count())},
+       {"Alarm level of the gate", figures(setting["alarm_level"].number())},
        {"Effects taken at", setting["linearised_at"].text() == "reference" ? "the configuration's parameters"
                                                                            : "the calibrated parameters"}}};
   if (setting["bank"].exists()) entries.all.emplace_back("Bank", setting["bank"].text());
   std::erase_if(entries.all, [](const auto& entry) { return entry.second.empty() || entry.second == ": "; });
   chapter.blocks.emplace_back(std::move(entries));
   Files files{{{"verdict.json", "the verdict's numbers"},
+               {"frozen.json", "what was decided before a measured value was compared"},
                {"shown.json", "curves, residuals and fingerprints of this page"},
                {"config.original.json", "the confrontation as it was given"}}};
   if (const std::string extended = data.verdict["extended_config"].text(); !extended.empty())
-    files.all.emplace_back(extended, "the extended model's first test, ready to run; the others lie beside it");
+    files.all.emplace_back(extended,
+                           std::string(data.extension.empty() ? "the calibrated base's" : "the extended model's") +
+                               " first test, ready to run; the others lie beside it");
   std::erase_if(files.all, [&](const auto& file) { return !std::filesystem::exists(data.folder / file.first); });
   chapter.blocks.emplace_back(std::move(files));
   return chapter;

@@ -84,26 +84,27 @@ std::vector<Note> causes_without_peak(const ConfrontationData& data) {
   return notes;
 }
 
-/// Tests in which the base's own runs are too fast: their strengths hang on the rate.
-std::vector<Note> not_quasi_static(const ConfrontationData& data) {
+/// Tests in which a model's runs are too fast: their strengths hang on the rate.
+std::vector<Note> not_quasi_static(const ConfrontationData& data, std::vector<ShownCurve> ShownTest::*runs,
+                                   const char* whose) {
   std::vector<std::string> tests;
   for (const ShownTest& test : data.tests) {
     double most = 0.0;
     std::ptrdiff_t fast = 0;
-    for (const ShownCurve& run : test.base) {
+    for (const ShownCurve& run : test.*runs) {
       most = std::max(most, run.kinetic);
       if (run.kinetic > kQuasiStaticKineticShare) ++fast;
     }
     if (fast > 0)
-      tests.push_back(fmt::format("{} (up to {} in {} of {} runs)", test.id, figures(most, 2), fast, test.base.size()));
+      tests.push_back(
+          fmt::format("{} (up to {} in {} of {} runs)", test.id, figures(most, 2), fast, (test.*runs).size()));
   }
   if (tests.empty()) return {};
-  return {
-      {html::NoticeKind::warning,
-       fmt::format("Not quasi-static: before the peak of the base's runs that are shown, kinetic energy exceeded {} "
-                   "of the stored energy in {}. Their strengths may hang on the loading rate; load more slowly "
-                   "before a cause is believed.",
-                   figures(kQuasiStaticKineticShare), joined(tests))}};
+  return {{html::NoticeKind::warning,
+           fmt::format("Not quasi-static: before the peak of the {} runs that are shown, kinetic energy exceeded {} "
+                       "of the stored energy in {}. Their strengths may hang on the loading rate; load more slowly "
+                       "before a cause is believed.",
+                       whose, figures(kQuasiStaticKineticShare), joined(tests))}};
 }
 
 }  // namespace
@@ -125,7 +126,8 @@ std::vector<Note> verdict_alarms(const ConfrontationData& data) {
   for (const Note& note : limits(data)) notes.push_back(note);
   for (const Note& note : extrapolations(data)) notes.push_back(note);
   for (const Note& note : causes_without_peak(data)) notes.push_back(note);
-  for (const Note& note : not_quasi_static(data)) notes.push_back(note);
+  for (const Note& note : not_quasi_static(data, &ShownTest::base, "base's")) notes.push_back(note);
+  for (const Note& note : not_quasi_static(data, &ShownTest::extension, "extension's")) notes.push_back(note);
   return notes;
 }
 

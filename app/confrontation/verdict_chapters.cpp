@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/confrontation/condition_tables.hpp"
 #include "app/confrontation/confrontation_chapters.hpp"
 #include "app/confrontation/words.hpp"
 #include "core/measurement/features.hpp"
@@ -15,8 +16,8 @@ using html::ColumnKind;
 std::string misfit_words(const ConfrontationData& data) {
   const Value gate = data.verdict["gate"];
   return fmt::format(
-      "what calibration leaves has a squared length of {} over {} features; were nothing wrong, as much "
-      "would come {}, and as good an explanation by one mechanism {}",
+      "what calibration cannot absorb amounts to {} in squared standard deviations, over {} features; were nothing "
+      "wrong, as much would come {}, and as good an explanation by one mechanism {}",
       figures(gate["misfit"].number()), data.slots.size(), repetitions(gate["p_misfit"].number()),
       repetitions(gate["p_explained"].number()));
 }
@@ -47,6 +48,22 @@ std::string pair_words(const ConfrontationData& data) {
   return joined(names);
 }
 
+/// How far the search went: what was refitted, what could act, what these data would not show.
+std::string search_words(const ConfrontationData& data) {
+  const std::size_t act = data.candidates.size(), refitted = data.verdict["candidates"].items().size();
+  const auto hidden = std::count_if(data.candidates.begin(), data.candidates.end(),
+                                    [](const ShownCandidate& c) { return !(c.detectable <= 1.0); });
+  std::string text =
+      refitted == act
+          ? fmt::format("All {} mechanisms that were candidates were refitted", act)
+          : fmt::format("Of the {} mechanisms that were candidates those {} that explain most were refitted", act,
+                        refitted);
+  if (hidden > 0)
+    text +=
+        fmt::format("; {} of the candidates would not be seen in these data even at the declared strong value", hidden);
+  return text + ".";
+}
+
 std::vector<std::string> named_sentences(const ConfrontationData& data) {
   std::vector<std::string> sentences;
   const std::string status = data.verdict["status"].text();
@@ -64,16 +81,18 @@ std::vector<std::string> named_sentences(const ConfrontationData& data) {
     return sentences;
   }
   for (const std::string& id : causes)
-    sentences.push_back("One mechanism of the library explains it, all others are refuted: " + cause_words(data, id) +
-                        ".");
+    sentences.push_back("One mechanism of the library explains it, the others that were refitted are refuted: " +
+                        cause_words(data, id) + ".");
   return sentences;
 }
 
 std::string gain_sentence(const Value& gain) {
   if (gain["claimed"].truth())
-    return "The extended model predicts the tests that were kept back better; the gain stands below.";
+    return "The model extended by " + causes_words(gain["causes"]) +
+           " predicts the tests that were kept back better; the gain stands below.";
   if (refuted_by_kept_back(gain))
-    return "The tests that were kept back refute the extended model: it predicts them worse than the base.";
+    return "The tests that were kept back refute the model extended by " + causes_words(gain["causes"]) +
+           ": it predicts them worse than the base.";
   return "No gain on the tests that were kept back is claimed.";
 }
 
@@ -172,11 +191,12 @@ std::vector<std::string> verdict_sentences(const ConfrontationData& data) {
   std::vector<std::string> sentences{"The calibrated model is wrong beyond scatter: " + misfit_words(data) + "."};
   if (status == "unexplained") {
     sentences.emplace_back(
-        "Unexplained: no mechanism of the library, alone or as one of two, makes what is left. The cause lies outside "
-        "the library, or in the data.");
-    return sentences;
+        "Unexplained: no mechanism that was refitted, alone or with a second one, makes what is left. The cause lies "
+        "outside the library, in a mechanism that was not refitted, or in the data.");
+  } else {
+    for (std::string& sentence : named_sentences(data)) sentences.push_back(std::move(sentence));
   }
-  for (std::string& sentence : named_sentences(data)) sentences.push_back(std::move(sentence));
+  sentences.push_back(search_words(data));
   return sentences;
 }
 
@@ -203,7 +223,9 @@ Chapter assumptions_chapter(const ConfrontationData& data) {
     table.rows.push_back({{d["what"].text(), d["value"].text(), d["why"].text()}, html::RowTone::plain});
   if (const std::string sizes = assumed_sizes(setting["assumed"]); !sizes.empty())
     table.rows.push_back({{"sizes of specimens", sizes, setting["assumed"]["why"].text()}, html::RowTone::plain});
-  if (!table.rows.empty()) chapter.blocks.emplace_back(std::move(table));
+  for (PlainTable& part : std::vector<PlainTable>{std::move(table), conditions_table(data), instruments_table(data)}) {
+    if (!part.rows.empty()) chapter.blocks.emplace_back(std::move(part));
+  }
   if (setting["split_proposed"].truth())
     chapter.blocks.emplace_back(
         Paragraph{"Which tests are fitted and which are kept back was proposed by Asperity, by kind of test."});

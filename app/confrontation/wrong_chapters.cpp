@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/confrontation/condition_tables.hpp"
 #include "app/confrontation/confrontation_chapters.hpp"
 #include "app/confrontation/confrontation_pictures.hpp"
 #include "app/confrontation/words.hpp"
@@ -21,7 +22,8 @@ std::string decimals(double value, int digits) {
 
 PlainTable wrong_table(const ConfrontationData& data) {
   PlainTable table{
-      "Features of the fitted tests, worst first. z: measured less simulated over its standard deviation. "
+      "Features of the fitted tests, worst first. z: measured less simulated over its standard deviation, with what "
+      "calibration could absorb. "
       "Left out: the same after a calibration that did not see this test; – where that would leave a parameter open.",
       {{"Test", "", ColumnKind::head},
        {"Feature", "", ColumnKind::text},
@@ -93,12 +95,15 @@ Chapter wrong_chapter(const ConfrontationData& data) {
       {"residuals", "", "Bars of measured less simulated features in standard deviations, test by test, " + models,
        "Residuals of the fitted tests in standard deviations, not projected, " + models}));
   chapter.blocks.emplace_back(wrong_table(data));
-  if (PlainTable dropped = dropped_table(data); !dropped.rows.empty()) chapter.blocks.emplace_back(std::move(dropped));
+  for (PlainTable& part : std::vector<PlainTable>{dropped_table(data), features_table(data)}) {
+    if (!part.rows.empty()) chapter.blocks.emplace_back(std::move(part));
+  }
   return chapter;
 }
 
 Chapter curves_chapter(const ConfrontationData& data) {
   Chapter chapter{"Curves and strengths", {}};
+  const std::string by = data.extension.empty() ? "" : " (" + extension_name(data) + ")";
   int number = 0;
   for (const render::ChartFigure& figure : curve_figures(data))
     chapter.blocks.emplace_back(draw_charts(
@@ -106,19 +111,19 @@ Chapter curves_chapter(const ConfrontationData& data) {
         {"curves_" + std::to_string(++number), "",
          "Measured curves of every specimen over the simulated curves of the base and the extension, one "
          "panel a test.",
-         "Black: measured specimens. Bands: base and extension, between their meshes as far as all reach."}));
+         "Black: measured specimens. Bands: base and extension" + by + ", between their meshes as far as all reach."}));
   if (const auto strengths = strength_figure(data))
     chapter.blocks.emplace_back(draw_charts(
         data, *strengths,
         {"strength", "", "Peak axial stress over confining pressure: measured specimens, base and extension.",
-         "Peak total axial stress of every specimen, and of the base and the extension on their meshes. Open diamonds: "
-         "tests that were kept back, so nothing was fitted to them."}));
+         "Peak total axial stress of every specimen, and of the base and the extension" + by +
+             " on their meshes. Open diamonds: tests that were kept back, so nothing was fitted to them."}));
   if (const auto joints = joint_strength_figure(data))
     chapter.blocks.emplace_back(
         draw_charts(data, *joints,
                     {"joint_strength", "", "Peak shear stress over normal stress: measured joints, base and extension.",
-                     "Peak shear stress of every joint, and of the base and the extension on their meshes. Open "
-                     "diamonds: tests that were kept back."}));
+                     "Peak shear stress of every joint, and of the base and the extension" + by +
+                         " on their meshes. Open diamonds: tests that were kept back."}));
   add_failures(data, chapter);
   return chapter;
 }

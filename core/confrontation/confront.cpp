@@ -65,6 +65,7 @@ void calibrate_by_runs(const ConfrontationTask& task, Confrontation& state) {
   EvidencePlan plan = task.plan;
   plan.noise = task.common;
   plan.fresh = 0;
+  plan.apart = 0;
   plan.parameters = task.screen;
   std::fill(plan.candidate_meshes.begin(), plan.candidate_meshes.end(), 0);
   for (int step = 0; step < task.most_steps; ++step) {

@@ -39,7 +39,7 @@ enum class LineariseAt { calibrated, reference };
 /// How many meshes each purpose gets.
 struct MeshCounts {
   std::size_t noise = 16;  ///< Of each test, for the scatter.
-  std::size_t common = 8;  ///< For effects: of those, about the reference further ones.
+  std::size_t common = 8;  ///< For effects, before those.
   std::size_t screen = 3;  ///< Of those, for a first look at a mechanism.
   std::size_t fresh = 16;  ///< Of each kept-back test, apart from the others.
   std::uint64_t first_seed = 1;
@@ -60,6 +60,7 @@ struct ConfrontationConfig {
   bool split_proposed = false;                     ///< `use` follows from the tests' kinds, not from the user.
   std::map<ExperimentType, std::vector<std::string>> features;  ///< Compared ones, by each experiment of a test.
   std::vector<std::string> mechanisms;                          ///< Candidates' ids, in alphabetical order.
+  std::vector<std::string> left_out_suspects;                   ///< The solver's settings that could be, but are not.
   LineariseAt linearise_at = LineariseAt::calibrated;
   MeshCounts meshes;
   std::size_t draws = 400;

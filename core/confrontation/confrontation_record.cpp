@@ -6,10 +6,12 @@
 #include "core/base/output_error.hpp"
 #include "core/base/sha256.hpp"
 #include "core/config/enum_words.hpp"
+#include "core/config/mechanism_declaration.hpp"
 #include "core/config/write_config.hpp"
 #include "core/confrontation/confrontation_task.hpp"
 #include "core/confrontation/feature_bank.hpp"
 #include "core/confrontation/final_run.hpp"
+#include "core/confrontation/known_confusions.hpp"
 #include "core/confrontation/virtual_test.hpp"
 
 /// What a confrontation leaves on record: hashes, parameters, the extended configuration.
@@ -25,6 +27,13 @@ ordered_json numbers(const std::vector<double>& values) {
   ordered_json list = ordered_json::array();
   for (const double v : values) list.push_back(std::isfinite(v) ? ordered_json(v) : ordered_json(nullptr));
   return list;
+}
+
+/// What amplitude 1 of a mechanism is.
+ordered_json strong_values(const std::string& id) {
+  ordered_json values = ordered_json::object();
+  for (const MechanismParameter& p : find_mechanism(id)->parameters) values[p.key] = p.strong;
+  return values;
 }
 
 /// All that is decided before the data are looked at: features, library, levels, split.
@@ -53,8 +62,11 @@ ordered_json frozen(const ConfrontationConfig& config, const ConfrontationTask& 
                               {"run", bank_key(virtual_test(config, *find_test(config.measured, test.id)))},
                               {"features", slots}};
   }
-  for (const Candidate& c : task.evidence.candidates)
-    json["library"][c.id] = {c.amplitude, c.two_sided, c.least, c.most, c.whole, c.far};
+  for (const Candidate& c : task.evidence.candidates) {
+    json["library"][c.id] = {
+        {"run_at", c.amplitude}, {"far", c.far},     {"two_sided", c.two_sided},     {"least", c.least},
+        {"most", c.most},        {"whole", c.whole}, {"strong", strong_values(c.id)}};
+  }
   for (const ConfrontationParameter& p : config.parameters) {
     ordered_json only = ordered_json::array();
     for (const ExperimentType type : p.only) only.push_back(word(type));
@@ -156,7 +168,17 @@ std::vector<ParameterValue> extended_parameters(const ConfrontationConfig& confi
   return moved;
 }
 
+std::string comma_list(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
 }  // namespace
+
+std::string frozen_record(const ConfrontationConfig& config, const ConfrontationTask& task) {
+  return frozen(config, task).dump(1) + "\n";
+}
 
 VerdictContext verdict_context(const ConfrontationConfig& config, const ConfrontationTask& task,
                                const Confrontation& confrontation) {
@@ -169,6 +191,11 @@ VerdictContext verdict_context(const ConfrontationConfig& config, const Confront
         "measured file nor the configuration gives one");
   for (const std::string& name : config.idle_parameters)
     context.notes.push_back("parameter " + name + " acts in none of the tests and was left out");
+  if (!config.left_out_suspects.empty())
+    context.notes.push_back("settings of the solver that were left out of the candidates and may be the cause: " +
+                            comma_list(config.left_out_suspects));
+  for (std::string& note : known_confusions(verdict_causes(confrontation), config.measured))
+    context.notes.push_back(std::move(note));
   for (const HypothesisFit& fit : confrontation.conclusion.kept) {
     if (!fit.converged)
       context.notes.push_back("the refit of " + causes_text(confrontation, fit.causes) +
@@ -181,7 +208,7 @@ VerdictContext verdict_context(const ConfrontationConfig& config, const Confront
         "no fitted feature was measured on two specimens: how much the rock scatters is not known, and what meshes "
         "scatter stands in its place. If it scatters more, what is found or refuted here may be scatter");
   context.data_sha256 = sha256_hex(data_numbers(config.measured).dump());
-  context.frozen_sha256 = sha256_hex(frozen(config, task).dump());
+  context.frozen_sha256 = sha256_hex(frozen_record(config, task));
   return context;
 }
 

@@ -164,6 +164,11 @@ void read_candidates(ConfrontationConfig& config, const std::vector<RunConfig>& 
                         "a mechanism that acts in one of the experiments and that the bases do not have", "remove it"});
     }
   }
+  for (const MechanismDeclaration& m : declared_mechanisms()) {
+    const auto& among = config.mechanisms;
+    if (m.suspect && std::find(among.begin(), among.end(), m.id) == among.end() && acts_somewhere(m.id, tests))
+      config.left_out_suspects.push_back(m.id);
+  }
 }
 
 }  // namespace asperity::confrontation_parts

@@ -146,7 +146,7 @@ EvidencePlan plan_of(const ConfrontationConfig& config, const Evidence& evidence
   plan.fresh_seed = config.meshes.first_seed + 500000;
   plan.candidate_meshes.assign(evidence.candidates.size(), config.meshes.common);
   plan.far = config.linearise_at == LineariseAt::reference;
-  plan.apart = plan.far ? config.meshes.common : 0;
+  plan.apart = config.meshes.common;
   for (std::size_t t = 0; t < evidence.tests.size(); ++t) {
     plan.parameter_acts.emplace_back();
     plan.candidate_acts.emplace_back();

@@ -19,6 +19,10 @@ std::vector<Candidate> library_candidates(const std::vector<std::string>& ids);
 /// Parameters' values at coded levels, all of the file's, calibrated or not.
 std::vector<double> theta_at(const ConfrontationConfig& config, const Eigen::VectorXd& coded);
 
+/// What is decided before measured values are compared: tests' split, virtual tests and features, the library with its
+/// strong values, parameters, levels, meshes and draws. The bytes of frozen.json, whose sha256 the verdict states.
+std::string frozen_record(const ConfrontationConfig& config, const ConfrontationTask& task);
+
 /// What the verdict says of parameters, hashes and the split.
 VerdictContext verdict_context(const ConfrontationConfig& config, const ConfrontationTask& task,
                                const Confrontation& confrontation);

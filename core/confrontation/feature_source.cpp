@@ -155,6 +155,7 @@ std::map<std::string, RunFeatures> FeatureSource::compute(const std::string& sta
   for (std::size_t i = 0; i < missing.size(); ++i) {
     const std::string key = bank_key(missing[i].config);
     computed[key] = take(outcomes[i]);
+    if (outcomes[i].reused) reused_.insert(key);
     if (computed[key].reason.empty()) fresh.runs[key] = {missing[i].config.experiment.type, computed[key].values};
   }
   add_gathered(options_.store, fresh);
@@ -170,9 +171,10 @@ std::vector<RunFeatures> FeatureSource::features(const std::string& stage, const
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Request& request = requests[i];
     const bool bank = request.from == Request::From::bank, campaign = request.from == Request::From::campaign;
+    const bool computed_now = campaign && !reused_.contains(request.key);
     cost_.from_bank += bank;
-    cost_.from_store += !bank && !campaign;
-    cost_.computed += campaign;
+    cost_.computed += computed_now;
+    cost_.from_store += !bank && !computed_now;
     answers.push_back(campaign ? computed.at(request.key)
                                : RunFeatures{find_run(bank ? shipped_ : own_, request.key)->values, ""});
     cost_.failed += !answers.back().reason.empty();

@@ -67,7 +67,8 @@ class FeatureSource {
   FeatureSourceOptions options_;
   Simulator simulate_;
   FeatureBank shipped_, own_, answered_;
-  std::set<std::string> checked_;
+  std::set<std::string> checked_,
+      reused_;  ///< Keys of runs from the bank that were checked, of finished ones in the store.
   std::string bank_refused_;
   FeatureCost cost_;
 };

@@ -63,13 +63,32 @@ Samples simulate(const ConfrontationConfig& config, const ConfrontationTask& tas
   return samples;
 }
 
-/// Slots that every run of both causes gives.
-std::vector<Index> common_slots(const Samples& a, const Samples& b) {
+bool is_measured(const TestEvidence& test, Index slot) { return test.measured.col(slot).array().isFinite().any(); }
+
+bool adds(const TestDesign& design, const TestEvidence& test, Index slot) {
+  const auto& records = design.records;
+  const std::string_view name = test.slots[static_cast<std::size_t>(slot)].kind->name;
+  return std::find(records.begin(), records.end(), name) != records.end();
+}
+
+/// Slots that this laboratory would have of the test, and that every run of both causes gives.
+std::vector<Index> common_slots(const TestDesign& design, const TestEvidence& parent, const Samples& a,
+                                const Samples& b) {
   std::vector<Index> slots;
   for (Index s = 0; s < a.cols(); ++s) {
-    if (a.col(s).allFinite() && b.col(s).allFinite()) slots.push_back(s);
+    const bool recorded = is_measured(parent, s) || adds(design, parent, s);
+    if (recorded && a.col(s).allFinite() && b.col(s).allFinite()) slots.push_back(s);
   }
   return slots;
+}
+
+/// Whether the test as it was made gives all that the design would add.
+bool has_all(const TestDesign& design, const TestEvidence& made) {
+  if (design.records.empty()) return false;
+  for (Index s = 0; s < made.measured.cols(); ++s) {
+    if (adds(design, made, s) && !is_measured(made, s)) return false;
+  }
+  return true;
 }
 
 /// Effects of the parameters on the parent's slots; zero where the parent was not fitted.
@@ -103,7 +122,7 @@ VectorXd variances(const TestEvidence& test, const Samples& a, const Samples& b,
 double distance(const Confrontation& c, const SimulatedDesign& design, std::size_t k, std::size_t l) {
   const TestEvidence& parent = c.evidence.tests[design.parent];
   const Samples &a = design.predictions[k], &b = design.predictions[l];
-  const std::vector<Index> slots = common_slots(a, b);
+  const std::vector<Index> slots = common_slots(*design.design, parent, a, b);
   if (slots.empty()) return 0.0;
   VectorXd difference(static_cast<Index>(slots.size()));
   for (std::size_t i = 0; i < slots.size(); ++i)
@@ -133,7 +152,7 @@ std::vector<SimulatedDesign> simulate_designs(const ConfrontationConfig& config,
     if (!concerns(design.concerns)) continue;
     for (std::size_t t = 0; t < made.size(); ++t) {
       const std::optional<RunConfig> run = design.change(made[t], made);
-      if (!run || !cross_check(*run).empty()) continue;
+      if (!run || !cross_check(*run).empty() || has_all(design, c.evidence.tests[t])) continue;
       SimulatedDesign s{&design, t, {}};
       for (std::size_t k = 0; k < causes; ++k)
         s.predictions.push_back(simulate(config, task, c, design, *run, t, c.conclusion.kept[k]));

@@ -7,6 +7,7 @@
 #include "core/confrontation/run_curve.hpp"
 #include "core/confrontation/significant_digits.hpp"
 #include "core/confrontation/test_features.hpp"
+#include "core/confrontation/virtual_test.hpp"
 #include "core/measurement/telling_rows.hpp"
 #include "core/output/summary.hpp"
 
@@ -101,6 +102,32 @@ ordered_json runs_json(const std::vector<ShownRuns>& shown, const MeasuredTest& 
   return list;
 }
 
+ordered_json instrument_json(const Instrument& i) {
+  return {{"load_noise_percent", i.load_noise_percent},
+          {"displacement_noise_percent", i.displacement_noise_percent},
+          {"transverse_noise_percent", i.transverse_noise_percent},
+          {"load_scale_percent", i.load_scale_percent},
+          {"displacement_scale_percent", i.displacement_scale_percent},
+          {"load_zero_percent", i.load_zero_percent},
+          {"displacement_zero_mm", i.displacement_zero_mm},
+          {"by_default", i == Instrument{}}};
+}
+
+/// How the laboratory made the test, and how it is repeated.
+ordered_json conditions_json(const ConfrontationConfig& config, const MeasuredTest& test) {
+  const RunConfig run = virtual_test(config, test);
+  const ExperimentConfig& e = run.experiment;
+  const bool disc = e.type == ExperimentType::brazilian, joint = e.type == ExperimentType::direct_shear;
+  ordered_json size = {e.width_mm, e.height_mm};
+  if (disc) size = {e.diameter_mm};
+  if (joint) size = ordered_json::array();
+  return {{"size_mm", std::move(size)},
+          {"edge_mm", run.particles.edge_mm},
+          {"plane", word(e.plane)},
+          {"rate_mm_per_s", joint ? e.loading.shear_rate_mm_per_s : e.loading.closing_rate_mm_per_s},
+          {"laboratory_rate_mm_per_s", optional_json(joint ? test.shear_rate_mm_per_s : test.closing_rate_mm_per_s)}};
+}
+
 ordered_json tests_json(const ConfrontationConfig& config, const std::vector<ShownRuns>& shown) {
   ordered_json list = ordered_json::array();
   for (const MeasuredTest& test : config.measured.tests) {
@@ -110,6 +137,8 @@ ordered_json tests_json(const ConfrontationConfig& config, const std::vector<Sho
                     {"confining_pressure_mpa", optional_json(test.confining_pressure_mpa)},
                     {"normal_stress_mpa", optional_json(test.normal_stress_mpa)},
                     {"path_is_gauge", path_is_gauge(test)},
+                    {"conditions", conditions_json(config, test)},
+                    {"instrument", instrument_json(test.instrument)},
                     {"specimens", specimens_of(test).size()},
                     {"features", specimen_features(test)},
                     {"measured", measured_json(test)},

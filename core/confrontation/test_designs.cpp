@@ -88,6 +88,10 @@ Changed under_constant_stiffness(Made made, All) {
   return run;
 }
 
+Changed same_joint(Made made, All) {
+  return made.experiment.type == ExperimentType::direct_shear ? Changed(made) : std::nullopt;
+}
+
 }  // namespace
 
 const std::vector<TestDesign>& test_designs() {
@@ -98,7 +102,13 @@ const std::vector<TestDesign>& test_designs() {
        [](Made made, All all) { return with_slenderness(made, all, 1.0); }, "", "", ""},
       {"height_over_width_3", "uniaxial compression of specimens three times as high as wide",
        [](Made made, All all) { return with_slenderness(made, all, 3.0); }, "", "", ""},
-      {"unload_reload", "the same test with one unloading to a tenth and a reload", with_loop, "", "", ""},
+      {"unload_reload",
+       "the same test with one unloading to a tenth and a reload",
+       with_loop,
+       "",
+       "",
+       "",
+       {"reload_toe_travel_strain", "reload_toe_travel_mm", "permanent_strain"}},
       {"slower_rate", "uniaxial compression at a quarter of the rate", slower, "", "", ""},
       {"twice_confining_pressure", "triaxial compression at twice the highest confining pressure",
        at_twice_the_pressure, "", "", ""},
@@ -106,6 +116,13 @@ const std::vector<TestDesign>& test_designs() {
        "weak_plane"},
       {"constant_normal_stiffness", "direct shear under constant normal stiffness", under_constant_stiffness, "",
        "normal_stiffness", ""},
+      {"dilation_gauges",
+       "the same joint with gauges of its dilation in front and at the rear",
+       same_joint,
+       "",
+       "",
+       "",
+       {"dilation_difference_at_peak_mm"}},
       {"half_size", "uniaxial compression of specimens of half the size", at_half_size, "", "", ""}};
   return designs;
 }

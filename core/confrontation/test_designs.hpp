@@ -16,10 +16,12 @@ struct TestDesign {
   std::string concerns;      ///< A mechanism without which among the causes the test tells nothing; empty: none.
   std::string switches_off;  ///< A mechanism that the test rules out; empty: none.
   std::string turns;         ///< A mechanism whose angle turns with the core; empty: none.
+  std::vector<std::string> records = {};  ///< Features that the test gives beyond those of the test it changes.
 };
 
 /// Those the method declares: lubricated platens, H/D 1 and 3, unload-reload, another rate, twice the confining
-/// pressure, a rotated core, a joint under constant normal stiffness, half the size.
+/// pressure, a rotated core, a joint under constant normal stiffness, a joint with gauges of its dilation at both ends,
+/// half the size. A second pass over a joint is none: a run shears one way.
 const std::vector<TestDesign>& test_designs();
 
 }  // namespace asperity

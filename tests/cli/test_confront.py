@@ -1,10 +1,14 @@
-"""`asperity confront` on tiny discs: verdict, the runs that are shown, the page and its Markdown, and pictures of confusion
-matrices. The measured numbers are made up: as strong as the base, and softer."""
+"""`asperity confront` on tiny discs: verdict, the runs that are shown, Ctrl-C and again, the page and its Markdown, and pictures of
+confusion matrices. The measured numbers are made up: as strong as the base, and softer."""
+import hashlib
 import json
+import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
+import time
 
 import support
 from report_page import Page, check_self_contained
@@ -16,6 +20,15 @@ SECONDS = 900  # some fifty runs of a third of a second each, on a machine that 
 WORDS = {"nothing_found": "Nothing found", "named": "One mechanism of the library explains it", "unexplained": "Unexplained",
          "indistinguishable": "mechanisms explain it", "two_causes": "these two together do"}
 MATRIX = {"rows": ["seating", "none"], "columns": ["seating", "nothing found"], "counts": [[9, 1], [0, 10]]}
+
+
+def finished(store):
+    """When each run's curve was written, by the names of the store's finished runs."""
+    times = {}
+    for path in store.glob("*/manifest.json"):
+        if json.loads(path.read_text())["outcome"] == "finished":
+            times[path.parent.name] = (path.parent / "curves.csv").stat().st_mtime_ns
+    return times
 
 
 def asperity(*arguments):
@@ -44,6 +57,8 @@ class Confront(support.CommandLineTest):
         verdict = self.verdict()
         self.assertIn("status " + " ".join([verdict["status"], *verdict["causes"]]), self.result.stdout)
         self.assertIn("frame_compliance", verdict["causes"])  # the only thing that softens a disc as a whole
+        frozen = (self.folder / "frozen.json").read_bytes()
+        self.assertEqual(hashlib.sha256(frozen).hexdigest(), verdict["frozen_sha256"])
         for name in ("config.original.json", "manifest.json", "shown.json", "report.html", "report.md", "configs/tiny_B1.json"):
             self.assertTrue((self.folder / name).is_file(), name)
 
@@ -136,12 +151,37 @@ class Confront(support.CommandLineTest):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn(" 0 computed", result.stdout)
         self.assertEqual((bare / "verdict.json").read_bytes(), (self.folder / "verdict.json").read_bytes())
-        self.assertEqual(sorted(p.name for p in bare.iterdir()), ["config.original.json", "configs", "manifest.json", "verdict.json"])
+        self.assertEqual(sorted(p.name for p in bare.iterdir()), ["config.original.json", "configs", "frozen.json", "manifest.json", "verdict.json"])
         self.assertEqual(len(list((SCRATCH / "store").iterdir())), before)
         result = asperity("report", bare)
         self.assertEqual(result.returncode, 3)
         self.assertIn("shown.json: is missing", result.stderr)
         self.assertIn("--no-report", result.stderr)
+
+    def test_ctrl_c_in_the_middle_of_its_runs_and_again(self):
+        out, store = SCRATCH / "interrupted", SCRATCH / "interrupted_store"
+        words = ("confront", CONFRONTATION, "--store", store, "--out", out, "--quiet", "--no-report")
+        run = subprocess.Popen(support.command(*words), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=SCRATCH,
+                               env=support.environment())
+        while len(finished(store)) < 4:
+            self.assertIsNone(run.poll(), "it ended before its fourth run")
+            time.sleep(0.01)
+        os.kill(run.pid, signal.SIGINT)
+        printed, err = run.communicate(timeout=support.SECONDS)
+        self.assertEqual((run.returncode, printed), (130, ""), err)
+        self.assertIn("interrupted; the same command goes on from there", err)
+        self.assertFalse((out / "verdict.json").exists())
+        self.assertEqual(json.loads((out / "manifest.json").read_text())["outcome"], "interrupted")
+        before = finished(store)
+        again = asperity(*words)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual((out / "verdict.json").read_bytes(), (self.folder / "verdict.json").read_bytes())
+        after = finished(store)
+        self.assertEqual({name: after[name] for name in before}, before)  # what was finished is not computed again
+        from_nothing = int(re.search(r"(\d+) computed", self.result.stdout)[1])
+        self.assertGreaterEqual(len(before), 4)
+        self.assertLess(len(after) - len(before), from_nothing)
+        self.assertIn(f" {len(after) - len(before)} computed", again.stdout)
 
     def test_a_confusion_matrix_is_drawn(self):
         source = SCRATCH / "confusion.json"

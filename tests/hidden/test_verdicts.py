@@ -38,6 +38,11 @@ def effects_of(name):
     return effects.Effects(mechanisms, outside, LIBRARY)
 
 
+def folder_of(name):
+    """A neutral path: what is hidden must not stand in it."""
+    return SCRATCH / f"set_{list(HIDDEN).index(name)}"
+
+
 class Verdicts(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -47,11 +52,11 @@ class Verdicts(unittest.TestCase):
         cls.pool.fill([c for d in cls.draws.values() for c in dataset.needed_configs(BASE, PLAN, d)])
         cls.rows, cls.verdicts = {}, {}
         for name, chosen in cls.draws.items():
-            cls.rows[name] = series.run_set(BASE, cls.pool, cls.confronter, PLAN, chosen, SCRATCH / name)
-            cls.verdicts[name] = json.loads((SCRATCH / name / "verdict/verdict.json").read_text())
+            cls.rows[name] = series.run_set(BASE, cls.pool, cls.confronter, PLAN, chosen, folder_of(name))
+            cls.verdicts[name] = json.loads((folder_of(name) / "verdict/verdict.json").read_text())
 
     def measured(self, name):
-        return next((SCRATCH / name / "data").glob("D*.json"))
+        return next((folder_of(name) / "data").glob("D*.json"))
 
     def confront(self, measured, name, settings=()):
         return self.confronter.verdict(measured, SCRATCH / name, PLAN.suite, settings)
@@ -100,7 +105,7 @@ class Verdicts(unittest.TestCase):
             test |= {"curve": f"seating_{number}.csv", "note": "damping"}
         (folder / "initial_defects.json").write_text(json.dumps(data))
         self.confront(folder / "initial_defects.json", "renamed_verdict")
-        self.assertEqual(bytes_of(SCRATCH / "renamed_verdict"), bytes_of(SCRATCH / "frame/verdict"))
+        self.assertEqual(bytes_of(SCRATCH / "renamed_verdict"), bytes_of(folder_of("frame") / "verdict"))
 
     def test_other_data_under_the_same_names_change_the_verdict(self):
         folder = SCRATCH / "swapped"

@@ -1,8 +1,8 @@
 """Whether the test that a verdict asks for parts its tie: ties.py --series FOLDER [--most N], then what series.py was called with.
 
-Of the ties of that series that hold the truth, each again with `--next-tests`: the highest test that parts the truth from another
-kept cause is made by the same laboratory (same rock, same effect, meshes of its own), laid beside the data, and the whole confronted
-anew. Writes ties.jsonl and ties.txt into FOLDER.
+Of the ties of that series that hold the truth, each again with `--next-tests`: the first test of the verdict's list that a measured
+file can tell is made by the same laboratory (same rock, same effect, meshes of its own), laid beside the data, and the whole confronted
+anew. The truth has no say in which. Writes ties.jsonl and ties.txt into FOLDER.
 """
 import argparse
 import dataclasses
@@ -65,12 +65,9 @@ def highest(suite):
     return max(triaxial, key=lambda test: test.keys["confining_pressure_mpa"])
 
 
-def chosen_design(base, suite, verdict, hidden):
-    """The first of the verdict's list that parts the truth from another kept cause, with what it promises."""
-    for entry in verdict["next_tests"]:
-        if hidden & set(entry["separates"]) and further_test(base, suite, entry["id"]):
-            return entry
-    return None
+def chosen_design(base, suite, verdict):
+    """The first of the verdict's list that a measured file can tell, with what it promises."""
+    return next((entry for entry in verdict["next_tests"] if further_test(base, suite, entry["id"])), None)
 
 
 def with_the_test(base, pool, plan, draw, data, folder, test):
@@ -91,8 +88,7 @@ def settle(base, pool, confronter, plan, draw, row, work):
     shutil.rmtree(work, ignore_errors=True)
     data = dataset.write_set(base, plan, draw, pool, work / "data")
     asked = confronter.verdict(data, work / "asked", plan.suite, flags=("--next-tests",))
-    hidden = {name for name, _ in draw.effects.mechanisms}
-    entry = chosen_design(base, plan.suite, asked, hidden)
+    entry = chosen_design(base, plan.suite, asked)
     first = asked["next_tests"][0] if asked["next_tests"] else None
     result = {"case": row["case"], "tie": asked["causes"], "first": first, "asked": entry}
     if entry is None:

@@ -1,0 +1,46 @@
+#include "core/confrontation/known_confusions.hpp"
+
+#include <algorithm>
+
+namespace asperity {
+namespace {
+
+struct Confusion {
+  std::string one, other, test;
+};
+
+const Confusion kConfusions[] = {
+    {"platen_friction", "shear_softening", "uniaxial compression between lubricated platens"},
+    {"seating", "crack_closure", "unloading and loading again: a seat has closed then, cracks close anew"},
+    {"strength_scatter", "initial_defects", "specimens of another size, and counts of acoustic events"},
+    {"strength_scatter", "weak_plane", "cores drilled in another direction"},
+    {"joint_wear", "slip_weakening", "a second pass over the same joint"},
+    {"out_of_plane_strips", "block_rotation", "gauges of the dilation in front and at the rear"},
+    {"out_of_plane_strips", "shear_softening", "joints of another width, and of one tooth"},
+    {"block_rotation", "shear_softening", "gauges of the dilation in front and at the rear, and joints of one tooth"}};
+
+bool among(const std::vector<std::string>& causes, const std::string& id) {
+  return std::find(causes.begin(), causes.end(), id) != causes.end();
+}
+
+bool has_gauge(const MeasuredData& data) {
+  return std::any_of(data.tests.begin(), data.tests.end(), [](const MeasuredTest& t) { return t.axial_gauge_mm; });
+}
+
+}  // namespace
+
+std::vector<std::string> known_confusions(const std::vector<std::string>& causes, const MeasuredData& data) {
+  std::vector<std::string> sentences;
+  for (const Confusion& c : kConfusions) {
+    if (among(causes, c.one) && among(causes, c.other))
+      sentences.push_back(c.one + " and " + c.other +
+                          " are known to be taken for one another; what tells them apart: " + c.test);
+  }
+  if (among(causes, "frame_compliance") && !has_gauge(data))
+    sentences.push_back(
+        "frame_compliance and a lower modulus of the particles are known to be taken for one another between platens; "
+        "what tells them apart: a gauge on the specimen");
+  return sentences;
+}
+
+}  // namespace asperity

@@ -1,0 +1,140 @@
+#include "core/confrontation/next_tests.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/unit/confrontation/confrontation_folder.hpp"
+
+using namespace asperity;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using nlohmann::json;
+
+namespace {
+
+constexpr const char* kFirst = "crack_closure";
+constexpr const char* kSecond = "frame_compliance";
+constexpr double kScatter = 0.03;          // of a mesh, either way: of four meshes the variance is 4/3 of its square
+constexpr double kTriaxialPressure = 1.0;  // MPa, of the made test
+constexpr std::size_t kTriaxial = 1;       // its number
+constexpr double kFirstAmplitude = 0.7, kSecondAmplitude = 0.9;
+
+/// Standard deviation of a difference of means, Eq. (N18): sqrt((1/5 + 1/4) 4/3) of the mesh's scatter.
+const double kDeviation = std::sqrt(0.6) * kScatter;
+
+ConfrontationConfig config_in(const std::string& folder) {
+  json document = testing::confrontation();
+  document["mechanisms"] = json::array({kFirst, kSecond});
+  document["features"]["triaxial"] = json::array({"peak_axial_stress_mpa"});
+  return testing::ConfrontationFolder(folder).read(document);
+}
+
+HypothesisFit kept(Index cause, double amplitude, Index parameters) {
+  HypothesisFit fit;
+  fit.causes = {cause};
+  fit.amplitude = VectorXd::Constant(1, amplitude);
+  fit.coded = VectorXd::Zero(parameters);
+  fit.covariance = MatrixXd::Zero(parameters + 1, parameters + 1);
+  return fit;
+}
+
+/// Two causes that the data leave; their strengths differ by `apart` above the pressure that was tested, nowhere else.
+struct TwoCauses {
+  ConfrontationConfig config;
+  double apart = 0;
+  std::vector<CampaignRun> asked;
+  ConfrontationTask task;
+  Confrontation c;
+
+  TwoCauses(const std::string& folder, double logarithm_apart) : config(config_in(folder)), apart(logarithm_apart) {
+    task = confrontation_task(config, [this](const std::string&, const std::vector<CampaignRun>& runs) {
+      std::vector<RunFeatureValues> all;
+      for (const CampaignRun& run : runs) all.push_back(features(run.config));
+      asked.insert(asked.end(), runs.begin(), runs.end());
+      return all;
+    });
+    const auto parameters = static_cast<Index>(task.evidence.parameters.size());
+    c.evidence = task.evidence;
+    c.centre = VectorXd::Zero(parameters);
+    c.fitted.jacobian = MatrixXd::Zero(0, parameters);
+    c.conclusion.status = VerdictStatus::indistinguishable;
+    c.conclusion.kept = {kept(0, kFirstAmplitude, parameters), kept(1, kSecondAmplitude, parameters)};
+  }
+  TwoCauses(const TwoCauses&) = delete;
+
+  /// All features alike.
+  RunFeatureValues features(const RunConfig& run) const {
+    double logarithm = run.particles.seed % 2 == 0 ? kScatter : -kScatter;
+    const bool pressed = run.experiment.confining_pressure_mpa > 1.5 * kTriaxialPressure;
+    if (pressed && run.mechanisms.back().type == kFirst) logarithm += apart;
+    return RunFeatureValues(feature_kinds(run.experiment.type).size(), std::exp(logarithm));
+  }
+
+  std::vector<NextTest> tests() { return next_tests(config, task, c); }
+};
+
+}  // namespace
+
+TEST_CASE("the further test that parts two causes best comes first, with the share of right decisions by it") {
+  TwoCauses causes("next_tests", 2.0 * kDeviation);
+  const std::vector<NextTest> tests = causes.tests();
+  REQUIRE(tests.size() >= 2);
+  CHECK(tests.front().id == "twice_confining_pressure");
+  CHECK(tests.front().separates == std::vector<std::string>{kFirst, kSecond});
+  CHECK(tests.front().distance == Approx(2.0));
+  CHECK(tests.front().probability_correct == Approx(0.8413447461));  // Phi(1)
+  for (std::size_t i = 1; i < tests.size(); ++i) {
+    CAPTURE(tests[i].id);
+    CHECK(tests[i].id != tests.front().id);
+    CHECK(tests[i].distance == 0.0);
+    CHECK(tests[i].probability_correct == 0.5);
+  }
+}
+
+TEST_CASE("each cause is run with its own amplitude and parameters on the same four meshes") {
+  TwoCauses causes("next_tests_runs", kDeviation);
+  causes.c.conclusion.kept[0].coded(0) = 2.0;  // c_c: 0.08 a step, 1.3 MPa at the reference
+  causes.tests();
+  std::vector<std::uint64_t> seeds[2];
+  for (const CampaignRun& run : causes.asked) {
+    if (run.config.experiment.confining_pressure_mpa != 2.0 * kTriaxialPressure) continue;
+    REQUIRE(run.config.mechanisms.size() == 1);
+    const bool first = run.config.mechanisms[0].type == kFirst;
+    CHECK(run.config.mechanisms[0].amplitude == (first ? kFirstAmplitude : kSecondAmplitude));
+    CHECK(run.config.contacts.cohesion_mpa == Approx(first ? 1.3 * std::exp(0.16) : 1.3));
+    seeds[first ? 0 : 1].push_back(run.config.particles.seed);
+  }
+  const std::uint64_t fresh = causes.task.plan.fresh_seed;
+  CHECK(seeds[0] == std::vector<std::uint64_t>{fresh, fresh + 1, fresh + 2, fresh + 3});
+  CHECK(seeds[1] == seeds[0]);
+}
+
+TEST_CASE("what is not known of parameters that move the test lowers the distance") {
+  TwoCauses causes("next_tests_parameters", 2.0 * kDeviation);
+  const double slope = 0.03;  // of the logarithm, a step of the first parameter; the others do not move the test
+  causes.c.fitted.tests.push_back({&causes.c.evidence.tests[kTriaxial], {0}, 0, {}, 0});
+  causes.c.fitted.jacobian = MatrixXd::Zero(1, causes.c.fitted.jacobian.cols());
+  causes.c.fitted.jacobian(0, 0) = slope;
+  // Together they add three times kDeviation^2, so that the deviation doubles: D is 1 in place of 2.
+  const double together = 3.0 * kDeviation * kDeviation / (slope * slope);
+  causes.c.conclusion.kept[0].covariance(0, 0) = 0.6 * together;
+  causes.c.conclusion.kept[1].covariance(0, 0) = 0.4 * together;
+  causes.c.conclusion.kept[0].covariance(1, 1) = 5.0;
+  const std::vector<NextTest> tests = causes.tests();
+  REQUIRE(!tests.empty());
+  CHECK(tests.front().id == "twice_confining_pressure");
+  CHECK(tests.front().distance == Approx(1.0));
+  CHECK(tests.front().probability_correct == Approx(0.6914624613));  // Phi(1/2)
+}
+
+TEST_CASE("no further test is sought where the data do not leave several single causes") {
+  TwoCauses causes("next_tests_none", 2.0 * kDeviation);
+  for (const VerdictStatus status :
+       {VerdictStatus::nothing_found, VerdictStatus::named, VerdictStatus::two_causes, VerdictStatus::unexplained}) {
+    causes.c.conclusion.status = status;
+    CHECK(causes.tests().empty());
+  }
+  CHECK(causes.asked.empty());
+}
