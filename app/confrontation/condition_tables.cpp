@@ -33,7 +33,7 @@ std::string stress_words(const ShownTest& test) {
 std::vector<std::string> instrument_cells(const Value& instrument) {
   std::vector<std::string> cells;
   for (const char* error : kErrors) cells.push_back(figures(instrument[error].number()));
-  cells.emplace_back(instrument["by_default"].truth() ? "by default" : "");
+  cells.emplace_back(instrument["by_default"].truth() ? "all by default" : "given, what is left out by default");
   return cells;
 }
 
@@ -70,7 +70,8 @@ PlainTable conditions_table(const ConfrontationData& data) {
 PlainTable instruments_table(const ConfrontationData& data) {
   PlainTable table{
       "Standard deviations of the laboratory's instruments: noise of single rows and zeros are each "
-      "specimen's own, scales are all specimens'. Percent of the largest value.",
+      "specimen's own, scales are all specimens'. Noise and zeros in percent of the largest value, scales of each "
+      "value.",
       {{"Tests", "", ColumnKind::head},
        {"Load, noise", "%"},
        {"Path, noise", "%"},

@@ -71,24 +71,6 @@ double stress_of(const ShownTest& test) {
   return test.normal_stress_mpa.value_or(test.confining_pressure_mpa.value_or(0.0));
 }
 
-/// Of each experiment the tests under the least and the greatest stress, by their pictures' names.
-std::map<std::string, const ShownTest*> pattern_tests(const ConfrontationData& data) {
-  std::map<std::string, const ShownTest*> least, all;
-  for (const ShownTest& test : data.tests) {
-    const std::string name(word(test.experiment));
-    const ShownTest*& low = least.try_emplace(name, &test).first->second;
-    const ShownTest*& high = all.try_emplace(name + "_high", &test).first->second;
-    if (stress_of(test) < stress_of(*low)) low = &test;
-    if (stress_of(test) > stress_of(*high)) high = &test;
-  }
-  for (const auto& [name, test] : least) {
-    all[name] = test;
-    if (all.at(name + "_high") == test || stress_of(*all.at(name + "_high")) == stress_of(*test))
-      all.erase(name + "_high");
-  }
-  return all;
-}
-
 /// Whether both models' runs are there, or the base's alone where nothing extends it.
 bool draw_pattern(const ConfrontationData& data, const ShownTest& test, const fs::path& png) {
   std::vector<render::StripPanel> panels;
@@ -100,6 +82,30 @@ bool draw_pattern(const ConfrontationData& data, const ShownTest& test, const fs
   const int width = panels.size() == 1 ? kStripWidth / 2 : kStripWidth;
   render::write_png(render::draw_film_strip(panels, render::Field::cracks, width), png);
   return true;
+}
+
+/// The picture and its words; nothing where neither runs nor an earlier picture are there.
+std::optional<PlainFigure> pattern_figure(const ConfrontationData& data, const ShownTest& test,
+                                          const std::string& name) {
+  const fs::path png = fs::path("pictures") / (name + ".png");
+  if (!draw_pattern(data, test, data.folder / png) && !fs::exists(data.folder / png)) return std::nullopt;
+  const bool both = !data.extension.empty();
+  return PlainFigure{png, "",
+                     "Crack networks at the end of test " + test.id +
+                         (both ? ": the base left, the extension right." : " in the base."),
+                     test_title(test) + ": cracks at the end of the first mesh's run" +
+                         (both ? " of the base (left) and of the extension (right), at one scale." : " of the base.") +
+                         " Blue: broken in tension; vermilion with a white core: in shear; thin purple: softening."};
+}
+
+/// The test of the same experiment whose stress differs most from this one's; itself where none does.
+const ShownTest& farthest_in_stress(const ConfrontationData& data, const ShownTest& from) {
+  const ShownTest* farthest = &from;
+  for (const ShownTest& test : data.tests) {
+    const double away = std::abs(stress_of(test) - stress_of(from));
+    if (test.experiment == from.experiment && away > std::abs(stress_of(*farthest) - stress_of(from))) farthest = &test;
+  }
+  return *farthest;
 }
 
 }  // namespace
@@ -181,18 +187,19 @@ PlainFigure draw_charts(const ConfrontationData& data, const render::ChartFigure
 
 std::vector<PlainFigure> pattern_figures(const ConfrontationData& data) {
   std::vector<PlainFigure> figures;
-  for (const auto& [name, shown] : pattern_tests(data)) {
-    const ShownTest& test = *shown;
-    const fs::path png = fs::path("pictures") / (name + ".png");
-    if (!draw_pattern(data, test, data.folder / png) && !fs::exists(data.folder / png)) continue;
-    const bool both = !data.extension.empty();
-    figures.push_back(
-        {png, "",
-         "Crack networks at the end of test " + test.id +
-             (both ? ": the base left, the extension right." : " in the base."),
-         test_title(test) + ": cracks at the end of the first mesh's run" +
-             (both ? " of the base (left) and of the extension (right), at one scale." : " of the base.") +
-             " Blue: broken in tension; vermilion with a white core: in shear; thin purple: softening."});
+  std::map<ExperimentType, const ShownTest*> first;
+  for (const ShownTest& test : data.tests) {
+    if (first.contains(test.experiment)) continue;
+    if (auto figure = pattern_figure(data, test, std::string(word(test.experiment)))) {
+      first[test.experiment] = &test;
+      figures.push_back(std::move(*figure));
+    }
+  }
+  for (const auto& [experiment, test] : first) {
+    const ShownTest& other = farthest_in_stress(data, *test);
+    if (stress_of(other) == stress_of(*test)) continue;
+    if (auto figure = pattern_figure(data, other, std::string(word(experiment)) + "_2"))
+      figures.push_back(std::move(*figure));
   }
   return figures;
 }

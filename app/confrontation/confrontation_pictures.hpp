@@ -40,8 +40,8 @@ PlainFigure draw_bars(const ConfrontationData& data, const render::BarPanels& ba
 PlainFigure draw_matrix(const ConfrontationData& data, const render::MatrixPlot& matrix, const PlainFigure& texts);
 PlainFigure draw_charts(const ConfrontationData& data, const render::ChartFigure& figure, const PlainFigure& texts);
 
-/// Cracks at the end of the first mesh's runs of base and extension, side by side at one scale: figures for the
-/// tests of each experiment under the least and the greatest stress. A picture that was drawn before stands where its
+/// Cracks at the end of the first mesh's runs of base and extension, side by side at one scale: of each experiment
+/// the first test, and the one whose stress differs most from its. A picture that was drawn before stands where its
 /// run is gone.
 std::vector<PlainFigure> pattern_figures(const ConfrontationData& data);
 

@@ -55,7 +55,7 @@ void add_rival(const Value& gain, const std::string& what, PlainTable& table) {
 
 PlainTable rivals_table(const Value& gain) {
   PlainTable table{
-      "The extension beside others that were kept and beside decoys: the next best mechanisms, which are not.",
+      "The extension beside others that were kept and beside decoys: the next best mechanisms, which were not kept.",
       {{"Mechanism", "", ColumnKind::head},
        {"Role", "", ColumnKind::text},
        {"Change of log density", ""},
@@ -112,8 +112,8 @@ std::string meshes_words(const Value& meshes) {
 
 std::string no_next_words(const ConfrontationData& data) {
   if (data.shown["setting"]["linearised_at"].text() == "reference")
-    return "No further test that would tell these causes apart was simulated; `asperity confront` with --next-tests "
-           "does it where one can be made of these.";
+    return "No further test that would tell these causes apart stands here: with --next-tests those are simulated that "
+           "can be made of these.";
   return "None of the further tests that Asperity knows can be made of these.";
 }
 

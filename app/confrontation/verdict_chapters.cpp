@@ -53,14 +53,16 @@ std::string search_words(const ConfrontationData& data) {
   const std::size_t act = data.candidates.size(), refitted = data.verdict["candidates"].items().size();
   const auto hidden = std::count_if(data.candidates.begin(), data.candidates.end(),
                                     [](const ShownCandidate& c) { return !(c.detectable <= 1.0); });
-  std::string text =
-      refitted == act
-          ? fmt::format("All {} mechanisms that were candidates were refitted", act)
-          : fmt::format("Of the {} mechanisms that were candidates those {} that explain most were refitted", act,
-                        refitted);
-  if (hidden > 0)
-    text +=
-        fmt::format("; {} of the candidates would not be seen in these data even at the declared strong value", hidden);
+  std::string text = fmt::format("Of {} candidates ", act);
+  if (refitted == act)
+    text = fmt::format("All {} candidates were refitted", act);
+  else if (refitted == 0)
+    text += "none explains any of it, so none was refitted";
+  else if (refitted == 1)
+    text += "the one that explains most was refitted";
+  else
+    text += fmt::format("the {} that explain most were refitted", refitted);
+  if (hidden > 0) text += fmt::format("; {} would not be seen in these data even at the declared strong value", hidden);
   return text + ".";
 }
 

@@ -22,8 +22,9 @@ std::string decimals(double value, int digits) {
 
 PlainTable wrong_table(const ConfrontationData& data) {
   PlainTable table{
-      "Features of the fitted tests, worst first. z: measured less simulated over its standard deviation, with what "
-      "calibration could absorb. "
+      "Features of the fitted tests, worst first. z: measured less calibrated simulation, over the standard deviation "
+      "of "
+      "that difference. "
       "Left out: the same after a calibration that did not see this test; – where that would leave a parameter open.",
       {{"Test", "", ColumnKind::head},
        {"Feature", "", ColumnKind::text},

@@ -39,7 +39,7 @@ enum class LineariseAt { calibrated, reference };
 /// How many meshes each purpose gets.
 struct MeshCounts {
   std::size_t noise = 16;  ///< Of each test, for the scatter.
-  std::size_t common = 8;  ///< For effects, before those.
+  std::size_t common = 8;  ///< For effects, and for the base beside them.
   std::size_t screen = 3;  ///< Of those, for a first look at a mechanism.
   std::size_t fresh = 16;  ///< Of each kept-back test, apart from the others.
   std::uint64_t first_seed = 1;

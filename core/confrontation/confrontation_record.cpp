@@ -36,6 +36,11 @@ ordered_json strong_values(const std::string& id) {
   return values;
 }
 
+const char* transform_word(ParameterTransform transform) {
+  if (transform == ParameterTransform::tangent) return "tangent";
+  return transform == ParameterTransform::log ? "log" : "linear";
+}
+
 /// All that is decided before the data are looked at: features, library, levels, split.
 ordered_json frozen(const ConfrontationConfig& config, const ConfrontationTask& task) {
   ordered_json json = {{"draws", task.options.draws.draws},
@@ -57,7 +62,8 @@ ordered_json frozen(const ConfrontationConfig& config, const ConfrontationTask& 
                        {"screen", task.screen}};
   for (const TestEvidence& test : task.evidence.tests) {
     ordered_json slots = ordered_json::array();
-    for (const FeatureSlot& s : test.slots) slots.push_back({s.kind->name, s.logarithmic, s.floor_sd});
+    for (const FeatureSlot& s : test.slots)
+      slots.push_back({{"name", s.kind->name}, {"logarithmic", s.logarithmic}, {"floor_sd", s.floor_sd}});
     json["tests"][test.id] = {{"use", test.use == TestUse::fit ? "fit" : "hold_out"},
                               {"run", bank_key(virtual_test(config, *find_test(config.measured, test.id)))},
                               {"features", slots}};
@@ -70,8 +76,15 @@ ordered_json frozen(const ConfrontationConfig& config, const ConfrontationTask& 
   for (const ConfrontationParameter& p : config.parameters) {
     ordered_json only = ordered_json::array();
     for (const ExperimentType type : p.only) only.push_back(word(type));
-    json["parameters"][p.name] = {
-        p.pointer, p.tied, static_cast<int>(p.transform), only, p.calibrated, p.step, p.lower, p.upper, p.reference};
+    json["parameters"][p.name] = {{"pointer", p.pointer},
+                                  {"tied", p.tied},
+                                  {"transform", transform_word(p.transform)},
+                                  {"only", only},
+                                  {"calibrated", p.calibrated},
+                                  {"step", p.step},
+                                  {"lower", p.lower},
+                                  {"upper", p.upper},
+                                  {"reference", p.reference}};
   }
   return json;
 }

@@ -31,8 +31,10 @@ Samples no_values(Index rows, const TestEvidence& test) {
 }
 
 std::size_t base_meshes(const EvidencePlan& plan, const TestEvidence& test) {
-  const std::size_t of_mean = test.use == TestUse::fit ? plan.noise : plan.fresh;
-  return of_mean == 0 ? 0 : plan.apart + of_mean;
+  const bool fitted = test.use == TestUse::fit;
+  const std::size_t of_mean = fitted ? plan.noise : plan.fresh;
+  const std::size_t of_effects = fitted || plan.kept_back_candidates ? plan.apart : 0;
+  return of_mean == 0 ? 0 : of_effects + of_mean;
 }
 
 void add_rows(PlannedRuns& planned, Evidence& evidence, const EvidencePlan& plan, VirtualSpecimen specimen,

@@ -215,6 +215,7 @@ void hold_ends(const std::vector<CalibratedParameter>& parameters, Hypothesis& h
 std::vector<Hypothesis> hypotheses_by_runs(const ConfrontationTask& task, const Confrontation& state,
                                            const std::vector<std::vector<Index>>& lists) {
   const MatrixXd& covariance = state.scatter.covariance;
+  const std::size_t all_meshes = task.plan.apart + task.plan.noise;
   const Refit refit{task, state, WhitenedFrame(covariance, MatrixXd(covariance.rows(), 0))};
   std::vector<Hypothesis> hypotheses;
   double best = refit.misfit(linear_hypothesis(state.fitted, state.base, {}));
@@ -224,8 +225,8 @@ std::vector<Hypothesis> hypotheses_by_runs(const ConfrontationTask& task, const 
   }
   for (Hypothesis& h : hypotheses) {
     if (refit.misfit(h) < best + kNear) {
-      run_there(refit, task.plan.noise, h);
-      descend(refit, task.plan.noise, kMostLastPoints, h);
+      run_there(refit, all_meshes, h);
+      descend(refit, all_meshes, kMostLastPoints, h);
     }
     hold_ends(state.evidence.parameters, h);
   }

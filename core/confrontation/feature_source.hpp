@@ -67,8 +67,8 @@ class FeatureSource {
   FeatureSourceOptions options_;
   Simulator simulate_;
   FeatureBank shipped_, own_, answered_;
-  std::set<std::string> checked_,
-      reused_;  ///< Keys of runs from the bank that were checked, of finished ones in the store.
+  std::set<std::string> checked_;  ///< Keys of runs from the bank that were computed again.
+  std::set<std::string> reused_;   ///< Keys of runs that were finished before this command.
   std::string bank_refused_;
   FeatureCost cost_;
 };

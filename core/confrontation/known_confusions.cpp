@@ -23,8 +23,13 @@ bool among(const std::vector<std::string>& causes, const std::string& id) {
   return std::find(causes.begin(), causes.end(), id) != causes.end();
 }
 
+/// Whether any test has a gauge on the specimen, as a column, as the path itself, or behind a number.
 bool has_gauge(const MeasuredData& data) {
-  return std::any_of(data.tests.begin(), data.tests.end(), [](const MeasuredTest& t) { return t.axial_gauge_mm; });
+  const auto on_curve = [](const SpecimenCurve& s) { return !s.curve.gauge_strain.empty(); };
+  return std::any_of(data.tests.begin(), data.tests.end(), [&](const MeasuredTest& t) {
+    return path_is_gauge(t) || t.results.contains("youngs_modulus_gpa") ||
+           std::any_of(t.curves.begin(), t.curves.end(), on_curve);
+  });
 }
 
 }  // namespace

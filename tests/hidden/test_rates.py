@@ -28,7 +28,8 @@ class Rates:
         call = [sys.executable, str(SERIES), str(BINARY), str(SOURCE), "--suite", cls.suite, *SIZES[cls.suite], "--each", "10", "--pairs", "0",
                 "--amplitudes", "1", "--blocks", "1", "--alarm-level", LEVEL, "--seed", seed, "--rocks", seed, "--out", str(out)]
         subprocess.run(call, check=True)
-        cls.kinds = json.loads((out / "summary.json").read_text())["kinds"]
+        summary = json.loads((out / "summary.json").read_text())
+        cls.kinds, cls.levels = summary["kinds"], summary["alarm_levels"]
 
     def at_most(self, kind, rate, share):
         found = self.kinds[kind][rate]
@@ -40,6 +41,10 @@ class Rates:
 
     def test_alarms_where_nothing_is_hidden(self):
         self.at_most("null", "detected", 0.03)
+
+    def test_names_where_nothing_is_hidden(self):
+        names = self.levels["run"]["names on null data"]
+        self.assertLessEqual(names["interval_95"][0], 0.01, names)
 
     def test_wrong_single_names(self):
         self.at_most("amplitude 1", "wrong single name", 0.05)

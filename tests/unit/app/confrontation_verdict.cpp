@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/confrontation/condition_tables.hpp"
 #include "app/confrontation/confrontation_chapters.hpp"
 #include "app/confrontation/confrontation_pictures.hpp"
 
@@ -135,6 +136,55 @@ TEST_CASE("a gain is claimed, left open, or refutes the extension") {
   CHECK(!contains(open, "refute this extension"));
   CHECK(contains(refuted, "The tests that were kept back refute the model extended by"));
   CHECK(contains(refuted, "The whole interval lies below zero: the kept-back tests refute this extension"));
+}
+
+TEST_CASE("the page says how far the search went") {
+  Documents d;
+  CHECK(contains(d.sentences(), "All 2 candidates were refitted; 1 would not be seen in these data"));
+  d.verdict["candidates"].erase(1);
+  CHECK(contains(d.sentences(), "Of 2 candidates the one that explains most was refitted"));
+  d.verdict["candidates"][0]["converged"] = false;
+  ConfrontationData data = d.data();
+  data.folder = std::filesystem::path(ASPERITY_TEST_SCRATCH) / "confrontation_page";
+  CHECK(contains(markdown_of(cause_chapter(data)), "the refit did not converge"));
+}
+
+TEST_CASE("tests' conditions and their instruments' errors stand on the page, those that are alike in one row") {
+  Documents d;
+  const Json instrument = {{"load_noise_percent", 0.5},         {"displacement_noise_percent", 0.1},
+                           {"transverse_noise_percent", 0.5},   {"load_scale_percent", 1.0},
+                           {"displacement_scale_percent", 1.0}, {"load_zero_percent", 0.2},
+                           {"displacement_zero_mm", 0.02},      {"by_default", true}};
+  for (Json& test : d.shown["tests"]) {
+    test["instrument"] = instrument;
+    test["specimens"] = 3;
+    test["conditions"] = {{"size_mm", {50, 100}},
+                          {"edge_mm", 4},
+                          {"plane", "strain"},
+                          {"rate_mm_per_s", 400},
+                          {"laboratory_rate_mm_per_s", nullptr}};
+  }
+  d.shown["tests"][2]["instrument"]["load_scale_percent"] = 3.0;
+  d.shown["tests"][2]["instrument"]["by_default"] = false;
+  const std::string text = markdown_of(assumptions_chapter(d.data()));
+  CHECK(contains(text, "| T1 | triaxial | 3 | 50 × 100 | σ₃ = 1 | not given | 400 | 4 | strain |"));
+  CHECK(contains(text, "| U, T1 | 0.5 | 0.1 | 0.5 | 1 | 1 | 0.2 | 0.02 | all by default |"));
+  CHECK(contains(text, "| T3 | 0.5 | 0.1 | 0.5 | 3 | 1 | 0.2 | 0.02 | given, what is left out by default |"));
+}
+
+TEST_CASE("compared features are explained once") {
+  const std::string text = markdown_of(Block(features_table(Documents().data())));
+  CHECK(contains(text, "| drop share | share of the peak lost"));
+  CHECK(contains(text, "| peak axial stress | largest axial stress, total |"));
+}
+
+TEST_CASE("an extension's runs that are too fast raise an alarm of their own") {
+  Documents d;
+  d.shown["tests"][1]["extension"] = d.shown["tests"][1]["base"];
+  d.shown["tests"][1]["extension"][0]["kinetic_over_stored"] = 0.05;
+  bool told = false;
+  for (const Note& note : verdict_alarms(d.data())) told |= contains(note.text, "of the extension's runs");
+  CHECK(told);
 }
 
 TEST_CASE("what data could not have shown is told of every candidate") {

@@ -160,6 +160,7 @@ ConfrontationTask task_of(EnvelopeSimulator& simulator, const Laboratory& labora
     task.plan.candidate_acts.push_back({confined, !confined, point.pressure >= kHighPressure, confined});
   }
   task.plan.noise = kMeshes;
+  task.plan.apart = task.common;
   task.plan.first_seed = 1 + 1000 * number;
   task.plan.candidate_meshes.assign(task.evidence.candidates.size(), task.common);
   task.options.draws.seed = 1 + number;

@@ -24,11 +24,14 @@ constexpr double kFirstAmplitude = 0.7, kSecondAmplitude = 0.9;
 /// Standard deviation of a difference of means, Eq. (N18): sqrt((1/5 + 1/4) 4/3) of the mesh's scatter.
 const double kDeviation = std::sqrt(0.6) * kScatter;
 
-ConfrontationConfig config_in(const std::string& folder) {
+/// The laboratory measures strengths, and on the joint what else is given. A modulus is compared where there is one.
+ConfrontationConfig config_in(const std::string& name, const json& of_joint) {
   json document = testing::confrontation();
   document["mechanisms"] = json::array({kFirst, kSecond});
-  document["features"]["triaxial"] = json::array({"peak_axial_stress_mpa"});
-  return testing::ConfrontationFolder(folder).read(document);
+  document["features"]["triaxial"] = json::array({"peak_axial_stress_mpa", "youngs_modulus_gpa"});
+  testing::ConfrontationFolder folder(name);
+  folder.measured["tests"][3]["results"].update(of_joint);
+  return folder.read(document);
 }
 
 HypothesisFit kept(Index cause, double amplitude, Index parameters) {
@@ -48,7 +51,8 @@ struct TwoCauses {
   ConfrontationTask task;
   Confrontation c;
 
-  TwoCauses(const std::string& folder, double logarithm_apart) : config(config_in(folder)), apart(logarithm_apart) {
+  TwoCauses(const std::string& folder, double logarithm_apart, const json& of_joint = json::object())
+      : config(config_in(folder, of_joint)), apart(logarithm_apart) {
     task = confrontation_task(config, [this](const std::string&, const std::vector<CampaignRun>& runs) {
       std::vector<RunFeatureValues> all;
       for (const CampaignRun& run : runs) all.push_back(features(run.config));
@@ -73,11 +77,17 @@ struct TwoCauses {
   }
 
   std::vector<NextTest> tests() { return next_tests(config, task, c); }
+
+  bool proposes(const std::string& id) {
+    const std::vector<NextTest> all = tests();
+    return std::any_of(all.begin(), all.end(), [&](const NextTest& t) { return t.id == id; });
+  }
 };
 
 }  // namespace
 
 TEST_CASE("the further test that parts two causes best comes first, with the share of right decisions by it") {
+  // The modulus, which the laboratory did not measure, would differ, too: it must not count.
   TwoCauses causes("next_tests", 2.0 * kDeviation);
   const std::vector<NextTest> tests = causes.tests();
   REQUIRE(tests.size() >= 2);
@@ -91,6 +101,12 @@ TEST_CASE("the further test that parts two causes best comes first, with the sha
     CHECK(tests[i].distance == 0.0);
     CHECK(tests[i].probability_correct == 0.5);
   }
+}
+
+TEST_CASE("gauges of a joint's dilation are proposed where it had none") {
+  const json gauges{{"dilation_difference_at_peak_mm", json::array({0.1})}};
+  CHECK(TwoCauses("next_tests_no_gauges", 0.0).proposes("dilation_gauges"));
+  CHECK(!TwoCauses("next_tests_gauges", 0.0, gauges).proposes("dilation_gauges"));
 }
 
 TEST_CASE("each cause is run with its own amplitude and parameters on the same four meshes") {

@@ -20,7 +20,7 @@ TEST_CASE("a hypothesis by runs holds how far its runs scatter on all meshes") {
   const ConfrontationTask task = task_of(simulator, truth(), {{"m1", 0.9}});
   const Confrontation c = confront(task);
   const Hypothesis alike = hypotheses_by_runs(task, c, {{1}}).front();
-  CHECK(alike.run_rows.rows() == static_cast<Index>(task.plan.noise));
+  CHECK(alike.run_rows.rows() == static_cast<Index>(task.plan.apart + task.plan.noise));
   CHECK(alike.run_rows.cwiseAbs().maxCoeff() < 1e-9);  // a mesh's scatter is the same with and without the cause
   ConfrontationTask scattering = task;
   RandomStream random(7, "runs that scatter");
