@@ -21,6 +21,15 @@ std::string convergence_words(const Value& candidate) {
              : "";
 }
 
+/// A kept one that the best one would refute is kept since the two are known to be taken for one another, Eq. (N25).
+std::string judged_words(const Value& candidate) {
+  const double p_misfit = candidate["p_misfit"].number(), p_excess = candidate["p_excess"].number();
+  const std::string words = hypothesis_words(p_misfit, p_excess);
+  if (!candidate["kept"].truth()) return "refuted: " + words;
+  if (p_excess >= kKeepingLevel) return "kept: " + words;
+  return "kept, since it is known to be taken for one that fits better: " + words;
+}
+
 PlainTable candidates_table(const ConfrontationData& data) {
   PlainTable table{
       "Candidates that were refitted together with the microparameters, the likeliest first. Misfit: what is left, "
@@ -40,8 +49,7 @@ PlainTable candidates_table(const ConfrontationData& data) {
         {{mechanism_name(id) + (c["suspect"].truth() ? ", a setting of the solver" : ""),
           amplitude_words(id, c["amplitude"].number(), c["amplitude_error"].number()) + convergence_words(c),
           one_decimal(c["misfit"].number()), one_decimal(c["explained"].number()),
-          percent(c["absorbed_share"].number()),
-          (kept ? "kept: " : "refuted: ") + hypothesis_words(c["p_misfit"].number(), c["p_excess"].number())},
+          percent(c["absorbed_share"].number()), judged_words(c)},
          kept ? html::RowTone::good : html::RowTone::quiet});
   }
   return table;

@@ -82,9 +82,11 @@ std::vector<std::string> named_sentences(const ConfrontationData& data) {
     for (const std::string& id : causes) sentences.push_back("Possible: " + cause_words(data, id) + ".");
     return sentences;
   }
+  const bool alone = data.verdict["candidates"].items().size() == 1;
+  const std::string others =
+      alone ? "no other explains nearly as much: " : "the others that were refitted are refuted: ";
   for (const std::string& id : causes)
-    sentences.push_back("One mechanism of the library explains it, the others that were refitted are refuted: " +
-                        cause_words(data, id) + ".");
+    sentences.push_back("One mechanism of the library explains it, " + others + cause_words(data, id) + ".");
   return sentences;
 }
 

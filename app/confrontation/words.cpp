@@ -11,8 +11,6 @@
 namespace asperity::app {
 namespace {
 
-constexpr double kLevel = 0.01;  // of keeping a hypothesis
-
 std::string with_true_minus(std::string text) {
   if (const auto at = text.find('e'); at != std::string::npos)
     text = text.substr(0, at) + "×" + render::power_of_ten(std::stoi(text.substr(at + 1)));
@@ -110,10 +108,11 @@ std::string repetitions(double p) {
 }
 
 std::string hypothesis_words(double p_misfit, double p_excess) {
-  const std::string fits = p_misfit < kLevel ? "does not fit: were it the cause, it would fit as badly only "
-                                             : "fits: were it the cause, it would fit no better ";
-  const std::string behind = p_excess < kLevel ? "; the best one fits better than chance allows, as far behind it only "
-                                               : "; it would lie as far behind the best one ";
+  const std::string fits = p_misfit < kKeepingLevel ? "does not fit: were it the cause, it would fit as badly only "
+                                                    : "fits: were it the cause, it would fit no better ";
+  const std::string behind = p_excess < kKeepingLevel
+                                 ? "; the best one fits better than chance allows, as far behind it only "
+                                 : "; it would lie as far behind the best one ";
   return fits + repetitions(p_misfit) + behind + repetitions(p_excess);
 }
 

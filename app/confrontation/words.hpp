@@ -32,6 +32,8 @@ std::string parameter_words(const std::string& id, double amplitude, double erro
 /// The same with the amplitude itself: "friction coefficient 0.17 ± 0.03 (0.85 ± 0.15 of the declared strong one)".
 std::string amplitude_words(const std::string& id, double amplitude, double error);
 
+constexpr double kKeepingLevel = 0.01;  ///< Share of draws below which a hypothesis is refuted.
+
 /// What two shares of draws say of a hypothesis: fits no better, lies as far behind the best.
 std::string hypothesis_words(double p_misfit, double p_excess);
 

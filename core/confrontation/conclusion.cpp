@@ -1,6 +1,8 @@
 #include "core/confrontation/conclusion.hpp"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 namespace asperity {
 namespace {
@@ -37,6 +39,43 @@ bool same_pair(const std::vector<Index>& a, const std::vector<Index>& b) {
   return a == b || (a[0] == b[1] && a[1] == b[0]);
 }
 
+const Candidate& candidate_of(const std::vector<Candidate>& candidates, const HypothesisFit& single) {
+  return candidates[static_cast<std::size_t>(single.causes.front())];
+}
+
+/// Those that are known to be taken for a kept one are kept, too, unless their own misfit refutes them, Eq. (N25).
+void keep_doubles(const std::vector<Candidate>& candidates, double level, std::vector<HypothesisFit>& singles) {
+  const std::vector<HypothesisFit> kept = kept_of(singles);
+  for (HypothesisFit& single : singles) {
+    const std::string& id = candidate_of(candidates, single).id;
+    const bool is_double = std::any_of(kept.begin(), kept.end(), [&](const HypothesisFit& other) {
+      const std::vector<std::string>& doubles = candidate_of(candidates, other).doubles;
+      return std::find(doubles.begin(), doubles.end(), id) != doubles.end();
+    });
+    single.kept = single.kept || (is_double && single.p_misfit >= level);
+  }
+}
+
+/// Pairs that are worth a refit: the kept single, or where there is none the best ones, each with the second cause that
+/// its remainder shows. Notes what was sought.
+std::vector<std::vector<Index>> second_causes(const Comparison& comparison, const Scatter& scatter, const BaseFit& fit,
+                                              const std::vector<Candidate>& candidates,
+                                              const std::vector<Hypothesis>& hypotheses, const NamingOptions& options,
+                                              Conclusion& conclusion) {
+  const std::vector<HypothesisFit>& firsts = conclusion.kept.empty() ? conclusion.singles : conclusion.kept;
+  std::vector<std::vector<Index>> pairs;
+  for (std::size_t i = 0; i < std::min(firsts.size(), options.most_pairs); ++i) {
+    const Index first = firsts[i].causes.front();
+    conclusion.seconds.push_back(
+        second_cause(comparison, scatter, fit, candidates, of_cause(hypotheses, first), options));
+    const SecondCause& second = conclusion.seconds.back();
+    const std::vector<Index> pair{first, second.candidate};
+    const auto listed = std::any_of(pairs.begin(), pairs.end(), [&](const auto& p) { return same_pair(p, pair); });
+    if (second.candidate >= 0 && second.p < options.level && !listed) pairs.push_back(pair);
+  }
+  return pairs;
+}
+
 }  // namespace
 
 std::string_view word(VerdictStatus status) {
@@ -71,31 +110,23 @@ Conclusion conclude(const Comparison& comparison, const Scatter& scatter, const 
   conclusion.singles = judge(comparison, scatter, fit, candidates, hypotheses, options);
   sort_by_likelihood(conclusion.singles);
   conclusion.kept = kept_of(conclusion.singles);
-  if (conclusion.kept.size() > 1) {
-    conclusion.status = VerdictStatus::indistinguishable;
+  if (conclusion.kept.size() < 2) {
+    const auto pairs = second_causes(comparison, scatter, fit, candidates, hypotheses, options, conclusion);
+    if (!pairs.empty()) {
+      conclusion.pairs = judge(comparison, scatter, fit, candidates, make(pairs), options);
+      for (HypothesisFit& pair : conclusion.pairs) pair.kept = pair.kept && both_act(pair);
+      sort_by_likelihood(conclusion.pairs);
+    }
+  }
+  if (std::vector<HypothesisFit> kept = kept_of(conclusion.pairs); !kept.empty()) {
+    conclusion.kept = std::move(kept);
+    conclusion.status = VerdictStatus::two_causes;
     return conclusion;
   }
-  const bool named = !conclusion.kept.empty();
-  if (named) conclusion.status = VerdictStatus::named;
-  const std::vector<HypothesisFit>& firsts = named ? conclusion.kept : conclusion.singles;
-  std::vector<std::vector<Index>> pairs;
-  for (std::size_t i = 0; i < std::min(firsts.size(), options.most_pairs); ++i) {
-    const Index first = firsts[i].causes.front();
-    conclusion.seconds.push_back(
-        second_cause(comparison, scatter, fit, candidates, of_cause(hypotheses, first), options));
-    const SecondCause& second = conclusion.seconds.back();
-    const std::vector<Index> pair{first, second.candidate};
-    const auto listed = std::any_of(pairs.begin(), pairs.end(), [&](const auto& p) { return same_pair(p, pair); });
-    if (second.candidate >= 0 && second.p < options.level && !listed) pairs.push_back(pair);
-  }
-  if (pairs.empty()) return conclusion;
-  conclusion.pairs = judge(comparison, scatter, fit, candidates, make(pairs), options);
-  for (HypothesisFit& pair : conclusion.pairs) pair.kept = pair.kept && both_act(pair);
-  sort_by_likelihood(conclusion.pairs);
-  const std::vector<HypothesisFit> kept = kept_of(conclusion.pairs);
-  if (kept.empty()) return conclusion;
-  conclusion.kept = kept;
-  conclusion.status = VerdictStatus::two_causes;
+  keep_doubles(candidates, options.level, conclusion.singles);
+  conclusion.kept = kept_of(conclusion.singles);
+  if (conclusion.kept.size() == 1) conclusion.status = VerdictStatus::named;
+  if (conclusion.kept.size() > 1) conclusion.status = VerdictStatus::indistinguishable;
   return conclusion;
 }
 

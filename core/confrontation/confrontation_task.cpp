@@ -7,6 +7,7 @@
 
 #include "core/config/mechanism_declaration.hpp"
 #include "core/confrontation/feature_rules.hpp"
+#include "core/confrontation/known_confusions.hpp"
 #include "core/confrontation/test_features.hpp"
 #include "core/confrontation/virtual_test.hpp"
 
@@ -194,7 +195,8 @@ std::vector<Candidate> library_candidates(const std::vector<std::string>& ids) {
     const bool two_sided = declaration.suspect && !whole;
     const double most = whole ? kWhole : most_amplitude(declaration, two_sided);
     candidates.push_back({id, whole ? kWhole : kStep, two_sided, declaration.suspect, most,
-                          least_amplitude(declaration), whole, whole ? 0.0 : far_amplitude(kStep, most, two_sided)});
+                          least_amplitude(declaration), whole, whole ? 0.0 : far_amplitude(kStep, most, two_sided),
+                          doubles_of(id)});
   }
   return candidates;
 }

@@ -1,0 +1,99 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "core/confrontation/conclusion.hpp"
+#include "core/confrontation/known_confusions.hpp"
+#include "tests/support/toy_laboratory.hpp"
+
+using namespace asperity;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr Index kTruth = 0, kOther = 1, kAside = 2;
+constexpr double kAmplitude = 0.8;
+constexpr int kLaboratories = 12;
+
+/// A laboratory in which one cause acts, and a second one whose effect is the first's, turned by an angle of this sine.
+Evidence laboratory(double sine, std::uint64_t draw) {
+  const toy::World world;
+  toy::Hidden hidden = toy::nothing(world);
+  hidden.amplitudes(kTruth) = kAmplitude;
+  Evidence evidence = toy::evidence(world, hidden, draw);
+  const toy::Directions d = toy::directions(world);
+  const VectorXd turned = std::sqrt(1.0 - sine * sine) * d.fingerprint.col(kTruth) + sine * d.fingerprint.col(kAside);
+  const VectorXd moved = 0.6 * (turned - d.fingerprint.col(kOther));
+  for (std::size_t t = 0; t < evidence.tests.size(); ++t)
+    evidence.tests[t].mechanism[kOther].rowwise() +=
+        moved.segment(static_cast<Index>(t) * world.features, world.features).transpose();
+  return evidence;
+}
+
+Conclusion concluded(const Evidence& evidence) {
+  const Comparison comparison = compare(evidence, TestUse::fit);
+  const Scatter scatter = scatter_of(comparison, {});
+  const BaseFit base = calibrate_base(comparison, scatter.covariance, evidence.parameters);
+  NamingOptions options;
+  options.draws.draws = 200;
+  options.near = 1e3;  // all are refitted
+  const Gate found = gate(comparison, scatter, base, evidence.candidates, options.draws);
+  const HypothesisMaker make = [&](const std::vector<std::vector<Index>>& lists) {
+    std::vector<Hypothesis> hypotheses;
+    for (const auto& causes : lists) hypotheses.push_back(linear_hypothesis(comparison, base, causes));
+    return hypotheses;
+  };
+  return conclude(comparison, scatter, base, found, evidence.candidates, make, options);
+}
+
+const HypothesisFit* single(const Conclusion& c, Index cause) {
+  for (const HypothesisFit& fit : c.singles) {
+    if (fit.causes.front() == cause) return &fit;
+  }
+  return nullptr;
+}
+
+/// How often the truth was named, and became a tie where the other is known to be taken for it.
+struct Counts {
+  int named = 0, fits_by_itself = 0, ties = 0, still_named = 0;
+};
+
+Counts count(double sine) {
+  Counts n;
+  for (int draw = 0; draw < kLaboratories; ++draw) {
+    Evidence evidence = laboratory(sine, static_cast<std::uint64_t>(draw));
+    const Conclusion alone = concluded(evidence);
+    const HypothesisFit* other = single(alone, kOther);
+    if (alone.status != VerdictStatus::named || alone.kept.front().causes.front() != kTruth || !other) continue;
+    evidence.candidates[kTruth].doubles = {evidence.candidates[kOther].id};
+    const Conclusion together = concluded(evidence);
+    ++n.named;
+    n.fits_by_itself += other->p_misfit >= NamingOptions().level;
+    n.ties += together.status == VerdictStatus::indistinguishable && together.kept.size() == 2;
+    n.still_named += together.status == VerdictStatus::named && together.kept.front().causes.front() == kTruth;
+  }
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("what is known to be taken for a cause is kept beside it where it fits by itself, and only there") {
+  const Counts near = count(0.3);
+  CAPTURE(near.named, near.fits_by_itself, near.ties, near.still_named);
+  CHECK(near.named >= 4);
+  CHECK(near.fits_by_itself >= 3);
+  CHECK(near.ties == near.fits_by_itself);
+  CHECK(near.still_named == near.named - near.ties);
+  const Counts far = count(0.7);
+  CAPTURE(far.named, far.fits_by_itself, far.ties, far.still_named);
+  CHECK(far.named >= 4);
+  CHECK(far.ties == far.fits_by_itself);
+  CHECK(far.ties < far.named);
+}
+
+TEST_CASE("doubles are those that were named for one another, either way") {
+  CHECK(doubles_of("strength_scatter") == std::vector<std::string>{"initial_defects", "weak_plane"});
+  CHECK(doubles_of("weak_plane") == std::vector<std::string>{"strength_scatter"});
+  CHECK(doubles_of("initial_defects") == std::vector<std::string>{"strength_scatter", "mesh_size"});
+  CHECK(doubles_of("seating").empty());
+}
