@@ -14,6 +14,9 @@
 namespace asperity::render {
 namespace {
 
+/// "seating" of "seating × 0.5": what is hidden, whatever its strength.
+std::string before_factor(const std::string& row) { return row.substr(0, row.find(" × ")); }
+
 constexpr double kMargin = 36, kGap = 12, kLine = 34;                  // pixels
 constexpr double kNameSize = 24, kCellSize = 24, kCaptionSize = 24;    // of texts, pixels
 constexpr double kLeastCell = 64, kLargestCell = 120, kWanted = 1100;  // pixels
@@ -112,7 +115,7 @@ void draw_lines(Drawing& drawing, const MatrixPlot& p, const Layout& l) {
   add_frame(drawing, l.frame, {style::kInk, 2, {}, Cap::butt});
   for (std::size_t i = 0; i < p.rows.size() && p.frame_same_names; ++i) {
     for (std::size_t j = 0; j < p.columns.size(); ++j) {
-      if (p.rows[i] != p.columns[j]) continue;
+      if (before_factor(p.rows[i]) != p.columns[j]) continue;
       const double left = l.frame.left + static_cast<double>(j) * l.cell;
       const double top = l.frame.top + static_cast<double>(i) * l.cell;
       add_frame(drawing, {left, top, left + l.cell, top + l.cell}, {style::kInk, 5, {}, Cap::butt});

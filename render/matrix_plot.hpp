@@ -17,7 +17,7 @@ struct MatrixPlot {
   std::vector<std::string> row_notes;           ///< Behind the rows; may be empty.
   Range range{0, 1};
   ColourMap map = ColourMap::magma_light_to_dark;
-  bool frame_same_names = false;  ///< Of row and column.
+  bool frame_same_names = false;  ///< Of row, before " × " and a strength, and column.
 };
 
 /// The picture grows with the number of cells. Throws

@@ -149,11 +149,13 @@ OTHER_ANSWERS = {"tie_with_truth": "a tie with the truth", "indistinguishable": 
 
 
 def confusion_matrix(matrix, ids):
-    """What `asperity report --confusion` draws: hidden cases by answers, mechanisms on the diagonal, then nothing and what is outside."""
+    """What `asperity report --confusion` draws: hidden cases by answers, mechanisms on the diagonal, then nothing and what is outside.
+    Columns are what is hidden and whatever else was named, so that every data set stands in one."""
     place = {id: number for number, id in enumerate(sorted(ids))}
     cases = sorted(matrix, key=lambda case: (place.get(case.split("@")[0], len(place)), case))
-    answers = [*sorted(ids), *OTHER_ANSWERS]
-    return {"rows": [case.removesuffix("@1") for case in cases], "columns": [OTHER_ANSWERS.get(a, a) for a in answers],
+    named = {answer for answers in matrix.values() for answer in answers} - OTHER_ANSWERS.keys()
+    answers = [*sorted(named | set(ids)), *OTHER_ANSWERS]
+    return {"rows": [case.removesuffix("@1").replace("@", " × ") for case in cases], "columns": [OTHER_ANSWERS.get(a, a) for a in answers],
             "counts": [[matrix[case].get(answer, 0) for answer in answers] for case in cases]}
 
 

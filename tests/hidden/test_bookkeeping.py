@@ -140,6 +140,12 @@ class Scoring(unittest.TestCase):
         self.assertEqual([row[:3] for row in matrix["counts"]], [[0, 1, 0], [0, 2, 1], [0, 0, 0]])
         self.assertEqual(sum(map(sum, matrix["counts"])), 7)
 
+    def test_a_confusion_matrix_has_names_that_nothing_hides_and_strengths(self):
+        matrix = scoring.confusion_matrix({"seating@0.5": {"mesh_size": 1, "nothing_found": 2}, "seating@1": {"seating": 3}}, ["seating"])
+        self.assertEqual(matrix["rows"], ["seating × 0.5", "seating"])
+        self.assertEqual(matrix["columns"][:2], ["mesh_size", "seating"])
+        self.assertEqual([sum(row) for row in matrix["counts"]], [3, 3])
+
     def test_rates_at_a_smaller_alarm_level_are_those_of_verdicts_beyond_its_gate(self):
         def row(kind, hidden, found, p_explained, p_misfit=0.5):
             return {"kind": kind, "case": kind, "p_explained": p_explained, "p_misfit": p_misfit, **scoring.judge(hidden, found)}

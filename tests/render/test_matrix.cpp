@@ -84,7 +84,7 @@ TEST_CASE("Cells have the colour of their share of the row, and an empty row non
 }
 
 TEST_CASE("A right name is framed thickly, others are not") {
-  const Drawing drawing = draw_matrix(confusion_matrix({"a", "b"}, {"b", "none"}, {{1, 1}, {1, 1}}));
+  const Drawing drawing = draw_matrix(confusion_matrix({"a", "b × 0.5"}, {"b", "none"}, {{1, 1}, {1, 1}}));
   int thick = 0;
   for (const Shape& shape : drawing.shapes)
     if (const auto* line = std::get_if<Polyline>(&shape)) thick += line->stroke.width >= 5;
