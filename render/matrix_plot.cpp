@@ -14,9 +14,6 @@
 namespace asperity::render {
 namespace {
 
-/// "seating" of "seating × 0.5": what is hidden, whatever its strength.
-std::string before_factor(const std::string& row) { return row.substr(0, row.find(" × ")); }
-
 constexpr double kMargin = 36, kGap = 12, kLine = 34;                  // pixels
 constexpr double kNameSize = 24, kCellSize = 24, kCaptionSize = 24;    // of texts, pixels
 constexpr double kLeastCell = 64, kLargestCell = 120, kWanted = 1100;  // pixels
@@ -24,6 +21,9 @@ constexpr double kBarWidth = 28, kBarGap = 34;                         // of the
 constexpr int kSlices = 64, kBarParts = 4;
 constexpr double kCapHeight = 0.36;  // half of a digit's height, parts of its size
 constexpr double kDarkest = 140;     // luma of a fill below which its text is white
+
+/// "seating" of "seating × 0.5": what is hidden, whatever its strength.
+std::string before_factor(const std::string& row) { return row.substr(0, row.find(" × ")); }
 
 /// Where everything stands.
 struct Layout {

@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "core/config/enum_words.hpp"
+#include "core/confrontation/instrument_json.hpp"
 #include "core/confrontation/read_measured.hpp"
 #include "core/confrontation/run_curve.hpp"
 #include "core/confrontation/test_features.hpp"
@@ -23,16 +24,6 @@ struct Printed {
   std::vector<TestFeature> features;
   std::optional<Instrument> instrument;  ///< Of a measured test.
 };
-
-Json instrument_json(const Instrument& i) {
-  return {{"load_noise_percent", i.load_noise_percent},
-          {"displacement_noise_percent", i.displacement_noise_percent},
-          {"transverse_noise_percent", i.transverse_noise_percent},
-          {"load_scale_percent", i.load_scale_percent},
-          {"displacement_scale_percent", i.displacement_scale_percent},
-          {"load_zero_percent", i.load_zero_percent},
-          {"displacement_zero_mm", i.displacement_zero_mm}};
-}
 
 Json value_json(const SpecimenValue& s) {
   if (!s.value) return {{"value", nullptr}, {"absent", s.absent}};

@@ -30,10 +30,10 @@ std::string stress_words(const ShownTest& test) {
   return "–";
 }
 
-std::vector<std::string> instrument_cells(const Value& instrument) {
+std::vector<std::string> instrument_cells(const Value& test) {
   std::vector<std::string> cells;
-  for (const char* error : kErrors) cells.push_back(figures(instrument[error].number()));
-  cells.emplace_back(instrument["by_default"].truth() ? "all by default" : "given, what is left out by default");
+  for (const char* error : kErrors) cells.push_back(figures(test["instrument"][error].number()));
+  cells.emplace_back(test["instrument_by_default"].truth() ? "the defaults" : "given; those left out by default");
   return cells;
 }
 
@@ -84,7 +84,7 @@ PlainTable instruments_table(const ConfrontationData& data) {
       {}};
   for (const Value& entry : data.shown["tests"].items()) {
     if (!entry["instrument"].exists()) continue;
-    const std::vector<std::string> cells = instrument_cells(entry["instrument"]);
+    const std::vector<std::string> cells = instrument_cells(entry);
     const auto same = std::find_if(table.rows.begin(), table.rows.end(), [&](const PlainRow& row) {
       return std::equal(cells.begin(), cells.end(), row.cells.begin() + 1);
     });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/config/enum_words.hpp"
+#include "core/confrontation/instrument_json.hpp"
 #include "core/confrontation/run_curve.hpp"
 #include "core/confrontation/significant_digits.hpp"
 #include "core/confrontation/test_features.hpp"
@@ -102,17 +103,6 @@ ordered_json runs_json(const std::vector<ShownRuns>& shown, const MeasuredTest& 
   return list;
 }
 
-ordered_json instrument_json(const Instrument& i) {
-  return {{"load_noise_percent", i.load_noise_percent},
-          {"displacement_noise_percent", i.displacement_noise_percent},
-          {"transverse_noise_percent", i.transverse_noise_percent},
-          {"load_scale_percent", i.load_scale_percent},
-          {"displacement_scale_percent", i.displacement_scale_percent},
-          {"load_zero_percent", i.load_zero_percent},
-          {"displacement_zero_mm", i.displacement_zero_mm},
-          {"by_default", i == Instrument{}}};
-}
-
 /// How the laboratory made the test, and how it is repeated.
 ordered_json conditions_json(const ConfrontationConfig& config, const MeasuredTest& test) {
   const RunConfig run = virtual_test(config, test);
@@ -139,6 +129,7 @@ ordered_json tests_json(const ConfrontationConfig& config, const std::vector<Sho
                     {"path_is_gauge", path_is_gauge(test)},
                     {"conditions", conditions_json(config, test)},
                     {"instrument", instrument_json(test.instrument)},
+                    {"instrument_by_default", test.instrument == Instrument{}},
                     {"specimens", specimens_of(test).size()},
                     {"features", specimen_features(test)},
                     {"measured", measured_json(test)},

@@ -154,9 +154,10 @@ TEST_CASE("tests' conditions and their instruments' errors stand on the page, th
   const Json instrument = {{"load_noise_percent", 0.5},         {"displacement_noise_percent", 0.1},
                            {"transverse_noise_percent", 0.5},   {"load_scale_percent", 1.0},
                            {"displacement_scale_percent", 1.0}, {"load_zero_percent", 0.2},
-                           {"displacement_zero_mm", 0.02},      {"by_default", true}};
+                           {"displacement_zero_mm", 0.02}};
   for (Json& test : d.shown["tests"]) {
     test["instrument"] = instrument;
+    test["instrument_by_default"] = true;
     test["specimens"] = 3;
     test["conditions"] = {{"size_mm", {50, 100}},
                           {"edge_mm", 4},
@@ -165,11 +166,11 @@ TEST_CASE("tests' conditions and their instruments' errors stand on the page, th
                           {"laboratory_rate_mm_per_s", nullptr}};
   }
   d.shown["tests"][2]["instrument"]["load_scale_percent"] = 3.0;
-  d.shown["tests"][2]["instrument"]["by_default"] = false;
+  d.shown["tests"][2]["instrument_by_default"] = false;
   const std::string text = markdown_of(assumptions_chapter(d.data()));
   CHECK(contains(text, "| T1 | triaxial | 3 | 50 × 100 | σ₃ = 1 | not given | 400 | 4 | strain |"));
-  CHECK(contains(text, "| U, T1 | 0.5 | 0.1 | 0.5 | 1 | 1 | 0.2 | 0.02 | all by default |"));
-  CHECK(contains(text, "| T3 | 0.5 | 0.1 | 0.5 | 3 | 1 | 0.2 | 0.02 | given, what is left out by default |"));
+  CHECK(contains(text, "| U, T1 | 0.5 | 0.1 | 0.5 | 1 | 1 | 0.2 | 0.02 | the defaults |"));
+  CHECK(contains(text, "| T3 | 0.5 | 0.1 | 0.5 | 3 | 1 | 0.2 | 0.02 | given; those left out by default |"));
 }
 
 TEST_CASE("compared features are explained once") {
