@@ -140,7 +140,7 @@ void add_confront(CLI::App& cli, Action& action) {
   add_campaign_options(*command, options->session);
   command->footer(
       "Examples:\n  asperity confront configs/confrontation/zigong.json\n"
-      "  asperity confront configs/confrontation/laboratory.json --set /measured=my_tests.json --out outputs/mine\n"
+      "  asperity confront configs/confrontation/laboratory.json --set /measured=$PWD/my_tests.json --out outputs/mine\n"
       "  asperity confront configs/confrontation/laboratory.json --check-bank 0.05");
   command->callback([=, &action] { action = [=] { return confront_command(*options); }; });
 }

@@ -30,6 +30,14 @@ std::string stress_words(const ShownTest& test) {
   return "–";
 }
 
+std::string preparation_words(const Value& conditions) {
+  std::string text;
+  if (const Value angle = conditions["core_angle_deg"]; angle.exists() && angle.number() != 0.0)
+    text = "core turned by " + figures(angle.number()) + "°";
+  if (conditions["lubricated_platens"].truth()) text += (text.empty() ? "" : ", ") + std::string("lubricated platens");
+  return text.empty() ? "–" : text;
+}
+
 std::vector<std::string> instrument_cells(const Value& test) {
   std::vector<std::string> cells;
   for (const char* error : kErrors) cells.push_back(figures(test["instrument"][error].number()));
@@ -51,7 +59,8 @@ PlainTable conditions_table(const ConfrontationData& data) {
        {"Laboratory's rate", "mm/s"},
        {"Simulated rate", "mm/s"},
        {"Particles' edge", "mm"},
-       {"Plane", "", ColumnKind::text}},
+       {"Plane", "", ColumnKind::text},
+       {"Specimens' preparation", "", ColumnKind::text}},
       {}};
   for (const Value& entry : data.shown["tests"].items()) {
     const Value c = entry["conditions"];
@@ -59,10 +68,11 @@ PlainTable conditions_table(const ConfrontationData& data) {
     const std::string id = entry["id"].text();
     const auto test =
         std::find_if(data.tests.begin(), data.tests.end(), [&](const ShownTest& t) { return t.id == id; });
-    table.rows.push_back({{id, feature_words(word(test->experiment)), std::to_string(entry["specimens"].count()),
-                           size_words(c["size_mm"]), stress_words(*test), known(c["laboratory_rate_mm_per_s"]),
-                           known(c["rate_mm_per_s"]), figures(c["edge_mm"].number()), c["plane"].text()},
-                          html::RowTone::plain});
+    table.rows.push_back(
+        {{id, feature_words(word(test->experiment)), std::to_string(entry["specimens"].count()),
+          size_words(c["size_mm"]), stress_words(*test), known(c["laboratory_rate_mm_per_s"]),
+          known(c["rate_mm_per_s"]), figures(c["edge_mm"].number()), c["plane"].text(), preparation_words(c)},
+         html::RowTone::plain});
   }
   return table;
 }

@@ -55,9 +55,15 @@ ShownTest read_test(const Value& entry) {
 }
 
 ShownCandidate read_candidate(const Value& entry, std::size_t slots) {
-  ShownCandidate candidate{entry["id"].text(),           entry["suspect"].truth(),    entry["two_sided"].truth(),
-                           entry["most"].number(),       entry["explained"].number(), entry["absorbed_share"].number(),
-                           entry["detectable"].number(), entry["projected"].numbers()};
+  ShownCandidate candidate{entry["id"].text(),
+                           entry["suspect"].truth(),
+                           entry["two_sided"].truth(),
+                           entry["whole"].truth(),
+                           entry["most"].number(),
+                           entry["explained"].number(),
+                           entry["absorbed_share"].number(),
+                           entry["detectable"].number(),
+                           entry["projected"].numbers()};
   if (candidate.projected.size() != slots)
     throw Error(ErrorKind::config,
                 {{"shown.json: /candidates/" + candidate.id + "/projected", "has another length than there are slots",

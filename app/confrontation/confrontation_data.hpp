@@ -39,7 +39,7 @@ struct ShownSlot {
 
 struct ShownCandidate {
   std::string id;
-  bool suspect = false, two_sided = false;
+  bool suspect = false, two_sided = false, whole = false;
   double most = 0;                                           ///< Largest amplitude its parameters' ranges allow.
   double explained = 0, absorbed_share = 0, detectable = 0;  ///< NaN: at no amplitude.
   std::vector<double> projected;                             ///< A unit of amplitude, slot by slot.

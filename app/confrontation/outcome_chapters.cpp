@@ -105,7 +105,8 @@ std::string runs_words(const Value& cost) {
 
 std::string meshes_words(const Value& meshes) {
   return fmt::format(
-      "{} a test for the scatter, {} for effects, {} for a first look at a mechanism, {} fresh ones of "
+      "{} a test for the mean that the gate compares (with those for effects: for the scatter), {} for effects, {} for "
+      "a first look at a mechanism, {} fresh ones of "
       "kept-back tests",
       meshes["noise"].count(), meshes["common"].count(), meshes["screen"].count(), meshes["fresh"].count());
 }

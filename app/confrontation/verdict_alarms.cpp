@@ -11,6 +11,8 @@
 namespace asperity::app {
 namespace {
 
+constexpr double kRounding = 1e-9;
+
 bool is_suspect(const ConfrontationData& data, const std::string& id) {
   const ShownCandidate* candidate = find_candidate(data, id);
   return candidate && candidate->suspect;
@@ -29,34 +31,40 @@ std::vector<Note> silent_tests(const ConfrontationData& data) {
                (silent.size() == 1 ? "this test" : "these tests") + "; why stands under \"What is wrong\"."}};
 }
 
-/// Where a parameter ended at its limit: what it would absorb beyond counts as absorbed.
+/// Where a parameter ended at its limit: what it would absorb beyond is left to the mechanisms.
 std::vector<Note> limits(const ConfrontationData& data) {
   std::vector<std::string> names;
   for (const Value& p : data.verdict["parameters"].items()) {
     if (p["at_limit"].truth()) names.push_back(p["label"].text().empty() ? p["name"].text() : p["label"].text());
   }
   if (names.empty()) return {};
+  const bool by_effects = data.shown["setting"]["linearised_at"].text() == "reference";
+  const char* remedy = by_effects ? "Take a nearer base: effects hold within four steps of a parameter."
+                                  : "Give it more room, or take a nearer base.";
   double worst = 0.0;
   for (const ShownSlot& slot : data.slots) worst = std::max(worst, std::abs(slot.z_base));
   return {
       {html::NoticeKind::warning,
        fmt::format("Calibration ended at the limit of what is allowed for {}. Features are left as far as {} standard "
-                   "deviations from the base, yet what this parameter would absorb beyond its limit counts as "
-                   "absorbed: the verdict speaks of the rest alone. Give it more room, or take a nearer base.",
-                   joined(names), figures(worst, 2))}};
+                   "deviations from the base, and what this parameter would absorb beyond its limit is among them: a "
+                   "mechanism may be named for it. {}",
+                   joined(names), figures(worst, 2), remedy)}};
 }
 
-/// Kept causes whose strength lies beyond what could be run.
-std::vector<Note> extrapolations(const ConfrontationData& data) {
+/// Kept causes whose strength is the greatest that their parameters' ranges allow.
+std::vector<Note> strengths_at_an_end(const ConfrontationData& data) {
   std::vector<Note> notes;
   for (const Value& single : data.verdict["candidates"].items()) {
     const ShownCandidate* candidate = find_candidate(data, single["id"].text());
     const double amplitude = single["amplitude"].number();
-    if (!candidate || !single["kept"].truth() || !(std::abs(amplitude) > candidate->most)) continue;
-    notes.push_back({html::NoticeKind::warning,
-                     fmt::format("The strength of {} is extrapolated: {} of the declared strong one, while its "
-                                 "parameters' ranges end at {}. The extended model is run with that.",
-                                 mechanism_name(candidate->id), figures(amplitude), figures(candidate->most))});
+    if (!candidate || !single["kept"].truth() || candidate->whole ||
+        std::abs(amplitude) < (1.0 - kRounding) * candidate->most)
+      continue;
+    notes.push_back(
+        {html::NoticeKind::warning,
+         fmt::format("The strength of {} is the greatest that is sought, {} of the declared strong one (three times it, or "
+                     "where its parameters' ranges end). The true one may lie beyond.",
+                     mechanism_name(candidate->id), figures(amplitude))});
   }
   return notes;
 }
@@ -124,7 +132,7 @@ std::vector<Note> verdict_alarms(const ConfrontationData& data) {
   }
   for (const Note& note : silent_tests(data)) notes.push_back(note);
   for (const Note& note : limits(data)) notes.push_back(note);
-  for (const Note& note : extrapolations(data)) notes.push_back(note);
+  for (const Note& note : strengths_at_an_end(data)) notes.push_back(note);
   for (const Note& note : causes_without_peak(data)) notes.push_back(note);
   for (const Note& note : not_quasi_static(data, &ShownTest::base, "base's")) notes.push_back(note);
   for (const Note& note : not_quasi_static(data, &ShownTest::extension, "extension's")) notes.push_back(note);

@@ -113,6 +113,8 @@ ordered_json conditions(const MeasuredTest& test) {
       {"rates_mm_per_s", numbers({test.closing_rate_mm_per_s.value_or(NAN), test.shear_rate_mm_per_s.value_or(NAN)})},
       {"axial_gauge_mm", numbers({test.axial_gauge_mm.value_or(NAN)})},
       {"plane", test.plane ? ordered_json(word(*test.plane)) : ordered_json(nullptr)},
+      {"core_angle_deg", test.preparation.core_angle_deg},
+      {"lubricated_platens", test.preparation.lubricated_platens},
       {"scatter", test.scatter == ScatterSource::specimens ? "specimens" : "pooled"},
       {"ends_before_peak", test.ends_before_peak},
       {"instrument",

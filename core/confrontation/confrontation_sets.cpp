@@ -60,8 +60,12 @@ void check_ids(const std::vector<std::string>& given, const std::string& where, 
   }
 }
 
-bool acts_somewhere(const std::string& id, const std::vector<RunConfig>& tests) {
-  return std::any_of(tests.begin(), tests.end(), [&](const RunConfig& test) { return can_act(test, id); });
+/// `runs`: of each measured test.
+bool acts_somewhere(const std::string& id, const MeasuredData& data, const std::vector<RunConfig>& runs) {
+  for (std::size_t t = 0; t < runs.size(); ++t) {
+    if (can_act(data.tests[t], runs[t], id)) return true;
+  }
+  return false;
 }
 
 std::vector<std::string> rule_names(ExperimentType type) {
@@ -146,7 +150,7 @@ void read_compared_features(ConfrontationConfig& config, std::vector<Fault>& fau
   }
 }
 
-void read_candidates(ConfrontationConfig& config, const std::vector<RunConfig>& tests, std::vector<Fault>& faults) {
+void read_candidates(ConfrontationConfig& config, const std::vector<RunConfig>& runs, std::vector<Fault>& faults) {
   const bool given = config.document.contains("mechanisms");
   std::vector<std::string> ids = given ? names(config.document, "mechanisms") : library_ids();
   const std::vector<std::string> without = names(config.document, "without");
@@ -157,7 +161,7 @@ void read_candidates(ConfrontationConfig& config, const std::vector<RunConfig>& 
   std::sort(ids.begin(), ids.end());
   for (const std::string& id : ids) {
     if (std::find(without.begin(), without.end(), id) != without.end()) continue;
-    if (acts_somewhere(id, tests)) {
+    if (acts_somewhere(id, config.measured, runs)) {
       config.mechanisms.push_back(id);
     } else if (given) {
       faults.push_back({"/mechanisms", "names one that cannot be added to any of the virtual tests", "\"" + id + "\"",
@@ -166,7 +170,8 @@ void read_candidates(ConfrontationConfig& config, const std::vector<RunConfig>& 
   }
   for (const MechanismDeclaration& m : declared_mechanisms()) {
     const auto& among = config.mechanisms;
-    if (m.suspect && std::find(among.begin(), among.end(), m.id) == among.end() && acts_somewhere(m.id, tests))
+    if (m.suspect && std::find(among.begin(), among.end(), m.id) == among.end() &&
+        acts_somewhere(m.id, config.measured, runs))
       config.left_out_suspects.push_back(m.id);
   }
 }

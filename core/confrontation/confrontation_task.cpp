@@ -154,7 +154,8 @@ EvidencePlan plan_of(const ConfrontationConfig& config, const Evidence& evidence
     for (const ConfrontationParameter& p : config.parameters) {
       if (p.calibrated) plan.parameter_acts.back().push_back(acts_in(p, evidence.tests[t].experiment));
     }
-    for (const Candidate& c : evidence.candidates) plan.candidate_acts.back().push_back(can_act(runs[t], c.id));
+    for (const Candidate& c : evidence.candidates)
+      plan.candidate_acts.back().push_back(can_act(config.measured.tests[t], runs[t], c.id));
   }
   return plan;
 }
@@ -194,9 +195,15 @@ std::vector<Candidate> library_candidates(const std::vector<std::string>& ids) {
     const bool whole = takes_whole_numbers(declaration);
     const bool two_sided = declaration.suspect && !whole;
     const double most = whole ? kWhole : most_amplitude(declaration, two_sided);
-    candidates.push_back({id, whole ? kWhole : kStep, two_sided, declaration.suspect, most,
-                          least_amplitude(declaration), whole, whole ? 0.0 : far_amplitude(kStep, most, two_sided),
-                          doubles_of(id)});
+    candidates.push_back({id,
+                          whole ? kWhole : kStep,
+                          two_sided,
+                          declaration.suspect,
+                          most,
+                          least_amplitude(declaration),
+                          whole,
+                          whole ? 0.0 : far_amplitude(kStep, most, two_sided),
+                          {}});
   }
   return candidates;
 }
@@ -219,6 +226,7 @@ ConfrontationTask confrontation_task(const ConfrontationConfig& config, Features
   }
   task.evidence.parameters = calibrated_parameters(config);
   task.evidence.candidates = library_candidates(config.mechanisms);
+  for (Candidate& c : task.evidence.candidates) c.doubles = doubles_of(c.id, config.measured);
   task.plan = plan_of(config, task.evidence, *runs);
   task.linearised_at =
       config.linearise_at == LineariseAt::reference ? LinearisedAt::reference : LinearisedAt::calibrated;
@@ -228,8 +236,9 @@ ConfrontationTask confrontation_task(const ConfrontationConfig& config, Features
   task.options.draws.explained_level = config.alarm_level;
   task.options.draws.seed = config.seed;
   task.configure = [runs, config](const VirtualSpecimen& specimen) {
+    const Preparation& preparation = config.measured.tests[specimen.test].preparation;
     return configured_if_legal((*runs)[specimen.test], config.parameters, theta_at(config, specimen.coded),
-                               entries(specimen.mechanisms), specimen.seed);
+                               acting_in(preparation, entries(specimen.mechanisms)), specimen.seed);
   };
   task.features = std::move(features);
   return task;

@@ -19,7 +19,8 @@ VectorXd final_coded(const Confrontation& c, FinalModel model) {
   return extends(c, model) ? VectorXd(c.centre + c.conclusion.kept.front().coded) : VectorXd(c.centre + c.base.coded);
 }
 
-std::vector<MechanismConfig> final_mechanisms(const Confrontation& c, FinalModel model, const RunConfig& run) {
+std::vector<MechanismConfig> final_mechanisms(const Confrontation& c, FinalModel model, const MeasuredTest& test,
+                                              const RunConfig& run) {
   std::vector<MechanismConfig> mechanisms;
   if (!extends(c, model)) return mechanisms;
   const HypothesisFit& fit = c.conclusion.kept.front();
@@ -28,7 +29,7 @@ std::vector<MechanismConfig> final_mechanisms(const Confrontation& c, FinalModel
     const double amplitude = amplitude_of_run(candidate, fit.amplitude(static_cast<Index>(i)));
     if (amplitude != 0.0 && can_act(run, candidate.id)) mechanisms.push_back({candidate.id, amplitude, {}});
   }
-  return mechanisms;
+  return acting_in(test.preparation, mechanisms);
 }
 
 std::vector<double> within_limits(const ConfrontationConfig& config, std::vector<double> theta) {
@@ -51,7 +52,7 @@ RunConfig final_run(const ConfrontationConfig& config, const Confrontation& conf
                     FinalModel model, VirtualOutput output, std::uint64_t seed) {
   const std::vector<double> theta = final_theta(config, confrontation, model);
   const RunConfig run = virtual_test(config, test, output);
-  return configured(run, config.parameters, theta, final_mechanisms(confrontation, model, run), seed);
+  return configured(run, config.parameters, theta, final_mechanisms(confrontation, model, test, run), seed);
 }
 
 }  // namespace asperity

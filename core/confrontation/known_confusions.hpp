@@ -7,8 +7,11 @@
 namespace asperity {
 
 /// Mechanisms for which this one was named wrongly in laboratories with a known cause, or that were named for it: a
-/// better fit does not tell them apart, Eq. (N25).
-std::vector<std::string> doubles_of(const std::string& id);
+/// better fit does not tell them apart, Eq. (N25), unless the laboratory made the test that does.
+std::vector<std::string> doubles_of(const std::string& id, const MeasuredData& data);
+
+/// Whether that further test is one that tells these doubles apart.
+bool decides(const std::string& design, const std::string& one, const std::string& other);
 
 /// Of causes that a verdict keeps, those that are known to be taken for one another, a sentence each with the test that
 /// tells them apart.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/config/run_config.hpp"
+#include "core/confrontation/preparation.hpp"
 #include "core/measurement/curve.hpp"
 
 namespace asperity {
@@ -53,6 +54,7 @@ struct MeasuredTest {
   std::optional<PlaneCondition> plane;   ///< Compression: the specimen's; unset: free all round.
   std::optional<TestUse> use;            ///< Unset: the user leaves it to the split.
   ScatterSource scatter = ScatterSource::pooled;
+  Preparation preparation;
   bool ends_before_peak = false;  ///< The specimen was not taken to its peak, so the curve's end is no fault.
   Instrument instrument;
   std::vector<SpecimenCurve> curves;

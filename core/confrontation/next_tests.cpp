@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "core/config/cross_checks.hpp"
-#include "core/config/mechanism_declaration.hpp"
+#include "core/confrontation/known_confusions.hpp"
 #include "core/confrontation/test_designs.hpp"
 #include "core/confrontation/virtual_test.hpp"
 
@@ -19,8 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr std::size_t kMeshes = 4, kMostCauses = 3;
-constexpr double kSpecimens = 5;                         // that a laboratory would make of one kind
-constexpr double kRightAngle = 90.0, kHalfTurn = 180.0;  // a plane's angle lies within a right angle either way
+constexpr double kSpecimens = 5;  // that a laboratory would make of one kind
 
 /// A design applied to one test, with what each cause predicts for it.
 struct SimulatedDesign {
@@ -29,17 +28,24 @@ struct SimulatedDesign {
   std::vector<Samples> predictions;  ///< By cause: meshes by slots.
 };
 
+/// How the specimens of the design are prepared where those of the test it changes were prepared so.
+Preparation preparation_of(const TestDesign& design, const MeasuredTest& parent) {
+  return both(parent.preparation, design.preparation);
+}
+
 /// The mechanisms of a cause in that test.
-std::vector<MechanismConfig> mechanisms_in(const TestDesign& design, const RunConfig& run, const Candidate& candidate,
-                                           double amplitude) {
+std::vector<MechanismConfig> mechanisms_in(const TestDesign& design, const MeasuredTest& parent, const RunConfig& run,
+                                           const Candidate& candidate, double amplitude) {
   if (amplitude == 0.0 || candidate.id == design.switches_off || !can_act(run, candidate.id)) return {};
-  MechanismConfig m{candidate.id, amplitude, {}};
-  if (candidate.id == design.turns) {
-    const auto values = mechanism_values(*find_mechanism(candidate.id), m);
-    const double turned = values.at("angle_deg") + kRightAngle;
-    m.parameters["angle_deg"] = turned > kRightAngle ? turned - kHalfTurn : turned;
-  }
-  return {m};
+  return acting_in(preparation_of(design, parent), std::vector<MechanismConfig>{{candidate.id, amplitude, {}}});
+}
+
+/// Whether specimens of that experiment were prepared so already.
+bool is_prepared_so(const MeasuredData& data, const TestDesign& design, const MeasuredTest& parent) {
+  if (design.preparation == Preparation{}) return false;
+  return std::any_of(data.tests.begin(), data.tests.end(), [&](const MeasuredTest& made) {
+    return made.experiment == parent.experiment && made.preparation == preparation_of(design, parent);
+  });
 }
 
 Samples simulate(const ConfrontationConfig& config, const ConfrontationTask& task, const Confrontation& c,
@@ -48,13 +54,14 @@ Samples simulate(const ConfrontationConfig& config, const ConfrontationTask& tas
   const double amplitude = amplitude_of_run(candidate, fit.amplitude(0));
   const std::vector<double> theta = theta_at(config, c.centre + fit.coded);
   const TestEvidence& test = c.evidence.tests[parent];
+  const MeasuredTest& measured = config.measured.tests[parent];
   Samples samples = Samples::Constant(static_cast<Index>(kMeshes), static_cast<Index>(test.slots.size()),
                                       std::numeric_limits<double>::quiet_NaN());
   std::vector<CampaignRun> runs;
   for (std::size_t mesh = 0; mesh < kMeshes; ++mesh) {
     const std::uint64_t seed = task.plan.fresh_seed + mesh;
-    std::optional<RunConfig> legal =
-        configured_if_legal(run, config.parameters, theta, mechanisms_in(design, run, candidate, amplitude), seed);
+    std::optional<RunConfig> legal = configured_if_legal(
+        run, config.parameters, theta, mechanisms_in(design, measured, run, candidate, amplitude), seed);
     if (!legal) return samples;
     runs.push_back({design.id + " under " + candidate.id + ", mesh " + std::to_string(seed), std::move(*legal), 0.0});
   }
@@ -118,6 +125,13 @@ VectorXd variances(const TestEvidence& test, const Samples& a, const Samples& b,
   return v;
 }
 
+/// Whether the test tells the two apart: of doubles, which a better fit does not, only the one made for it, Eq. (N25).
+bool counts(const TestDesign& design, const Candidate& one, const Candidate& other) {
+  const auto& doubles = one.doubles;
+  const bool doubled = std::find(doubles.begin(), doubles.end(), other.id) != doubles.end();
+  return !doubled || decides(design.id, one.id, other.id);
+}
+
 /// D of Eq. (N18).
 double distance(const Confrontation& c, const SimulatedDesign& design, std::size_t k, std::size_t l) {
   const TestEvidence& parent = c.evidence.tests[design.parent];
@@ -138,6 +152,10 @@ double distance(const Confrontation& c, const SimulatedDesign& design, std::size
   return std::sqrt(difference.dot(covariance.llt().solve(difference)));
 }
 
+const Candidate& candidate_of(const Confrontation& c, std::size_t kept) {
+  return c.evidence.candidates[static_cast<std::size_t>(c.conclusion.kept[kept].causes.front())];
+}
+
 std::vector<SimulatedDesign> simulate_designs(const ConfrontationConfig& config, const ConfrontationTask& task,
                                               const Confrontation& c, std::size_t causes) {
   std::vector<RunConfig> made;
@@ -151,8 +169,10 @@ std::vector<SimulatedDesign> simulate_designs(const ConfrontationConfig& config,
   for (const TestDesign& design : test_designs()) {
     if (!concerns(design.concerns)) continue;
     for (std::size_t t = 0; t < made.size(); ++t) {
-      const std::optional<RunConfig> run = design.change(made[t], made);
+      std::optional<RunConfig> run = design.change(made[t], made);
       if (!run || !cross_check(*run).empty() || has_all(design, c.evidence.tests[t])) continue;
+      if (is_prepared_so(config.measured, design, config.measured.tests[t])) break;
+      run->mechanisms = acting_in(design.preparation, run->mechanisms);
       SimulatedDesign s{&design, t, {}};
       for (std::size_t k = 0; k < causes; ++k)
         s.predictions.push_back(simulate(config, task, c, design, *run, t, c.conclusion.kept[k]));
@@ -174,6 +194,7 @@ std::vector<NextTest> next_tests(const ConfrontationConfig& config, const Confro
   for (std::size_t k = 0; k < causes; ++k) {
     for (std::size_t l = k + 1; l < causes; ++l) {
       for (const SimulatedDesign& design : designs) {
+        if (!counts(*design.design, candidate_of(c, k), candidate_of(c, l))) continue;
         const double d = distance(c, design, k, l);
         const double probability = 0.5 * std::erfc(-0.5 * d / std::numbers::sqrt2);
         tests.push_back({design.design->id,

@@ -64,6 +64,8 @@ MeasuredTest read_test(const json& j, const Instrument& instrument) {
   test.shear_rate_mm_per_s = number(j, "shear_rate_mm_per_s");
   test.axial_gauge_mm = number(j, "axial_gauge_mm");
   if (j.contains("plane")) test.plane = from_word<PlaneCondition>(j.at("plane").get<std::string>());
+  test.preparation.core_angle_deg = j.value("core_angle_deg", 0.0);
+  test.preparation.lubricated_platens = j.value("lubricated_platens", false);
   test.ends_before_peak = j.value("ends_before_peak", false);
   if (j.contains("use")) test.use = j.at("use") == "fit" ? TestUse::fit : TestUse::hold_out;
   if (j.value("scatter", "pooled") == "specimens") test.scatter = ScatterSource::specimens;

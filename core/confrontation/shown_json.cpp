@@ -114,6 +114,8 @@ ordered_json conditions_json(const ConfrontationConfig& config, const MeasuredTe
   return {{"size_mm", std::move(size)},
           {"edge_mm", run.particles.edge_mm},
           {"plane", word(e.plane)},
+          {"core_angle_deg", test.preparation.core_angle_deg},
+          {"lubricated_platens", test.preparation.lubricated_platens},
           {"rate_mm_per_s", joint ? e.loading.shear_rate_mm_per_s : e.loading.closing_rate_mm_per_s},
           {"laboratory_rate_mm_per_s", optional_json(joint ? test.shear_rate_mm_per_s : test.closing_rate_mm_per_s)}};
 }
@@ -203,6 +205,7 @@ ordered_json candidates_json(const Confrontation& c) {
     list.push_back({{"id", candidate.id},
                     {"suspect", candidate.suspect},
                     {"two_sided", candidate.two_sided},
+                    {"whole", candidate.whole},
                     {"most", candidate.most},
                     {"explained", number(c.gate.pattern.explained(at))},
                     {"absorbed_share", number(c.gate.hidden_share(at))},

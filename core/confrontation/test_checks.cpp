@@ -30,7 +30,7 @@ bool disc(ExperimentType e) { return e == ExperimentType::brazilian; }
 bool joint(ExperimentType e) { return e == ExperimentType::direct_shear; }
 bool triaxial(ExperimentType e) { return e == ExperimentType::triaxial; }
 
-constexpr std::array<KeyUse, 12> kKeys{{
+constexpr std::array<KeyUse, 14> kKeys{{
     {"width_mm", [](ExperimentType e) { return !disc(e); }, false, "only in compression and direct shear"},
     {"height_mm", compression, false, "only in compression"},
     {"diameter_mm", disc, false, "only of a Brazilian disc"},
@@ -43,6 +43,8 @@ constexpr std::array<KeyUse, 12> kKeys{{
     {"closing_rate_mm_per_s", [](ExperimentType e) { return !joint(e); }, false, "only between platens"},
     {"axial_gauge_mm", compression, false, "only in compression"},
     {"plane", compression, false, "only in compression"},
+    {"core_angle_deg", [](ExperimentType e) { return !joint(e); }, false, "only in compression and of a disc"},
+    {"lubricated_platens", compression, false, "only in compression"},
 }};
 
 /// Quantity and base of a feature's name.

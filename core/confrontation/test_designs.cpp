@@ -13,7 +13,7 @@ using Changed = std::optional<RunConfig>;
 constexpr double kSlower = 0.25, kPressure = 2.0, kSize = 0.5;
 constexpr double kUnloadAt = 0.3;  // of the closure at which the test ends
 constexpr double kUnloadTo = 0.1;  // of the stress there
-constexpr double kSameSlenderness = 0.1;
+constexpr double kSameSlenderness = 0.1, kSameSize = 1.1;
 
 bool uniaxial(Made run) { return run.experiment.type == ExperimentType::uniaxial; }
 
@@ -67,8 +67,12 @@ Changed at_twice_the_pressure(Made made, All all) {
   return run;
 }
 
-Changed at_half_size(Made made, All) {
+Changed at_half_size(Made made, All all) {
   if (!uniaxial(made)) return std::nullopt;
+  const auto as_small = [&](Made run) {
+    return uniaxial(run) && run.experiment.width_mm <= kSameSize * kSize * made.experiment.width_mm;
+  };
+  if (std::any_of(all.begin(), all.end(), as_small)) return std::nullopt;
   RunConfig run = made;
   run.experiment.width_mm *= kSize;
   run.experiment.height_mm *= kSize;
@@ -96,34 +100,42 @@ Changed same_joint(Made made, All) {
 
 const std::vector<TestDesign>& test_designs() {
   static const std::vector<TestDesign> designs{
-      {"lubricated_platens", "uniaxial compression between lubricated platens", as_it_was, "platen_friction",
-       "platen_friction", ""},
+      {"lubricated_platens",
+       "uniaxial compression between lubricated platens",
+       as_it_was,
+       "platen_friction",
+       "",
+       {.lubricated_platens = true}},
       {"height_over_width_1", "uniaxial compression of specimens as high as wide",
-       [](Made made, All all) { return with_slenderness(made, all, 1.0); }, "", "", ""},
+       [](Made made, All all) { return with_slenderness(made, all, 1.0); }, "", ""},
       {"height_over_width_3", "uniaxial compression of specimens three times as high as wide",
-       [](Made made, All all) { return with_slenderness(made, all, 3.0); }, "", "", ""},
+       [](Made made, All all) { return with_slenderness(made, all, 3.0); }, "", ""},
       {"unload_reload",
        "the same test with one unloading to a tenth and a reload",
        with_loop,
        "",
        "",
-       "",
+       {},
        {"reload_toe_travel_strain", "reload_toe_travel_mm", "permanent_strain"}},
-      {"slower_rate", "uniaxial compression at a quarter of the rate", slower, "", "", ""},
+      {"slower_rate", "uniaxial compression at a quarter of the rate", slower, "", ""},
       {"twice_confining_pressure", "triaxial compression at twice the highest confining pressure",
-       at_twice_the_pressure, "", "", ""},
-      {"rotated_core", "uniaxial compression of cores drilled at a right angle to these", as_it_was, "weak_plane", "",
-       "weak_plane"},
+       at_twice_the_pressure, "", ""},
+      {"rotated_core",
+       "uniaxial compression of cores drilled at a right angle to these",
+       as_it_was,
+       "weak_plane",
+       "",
+       {.core_angle_deg = 90.0}},
       {"constant_normal_stiffness", "direct shear under constant normal stiffness", under_constant_stiffness, "",
-       "normal_stiffness", ""},
+       "normal_stiffness"},
       {"dilation_gauges",
        "the same joint with gauges of its dilation in front and at the rear",
        same_joint,
        "",
        "",
-       "",
+       {},
        {"dilation_difference_at_peak_mm"}},
-      {"half_size", "uniaxial compression of specimens of half the size", at_half_size, "", "", ""}};
+      {"half_size", "uniaxial compression of specimens of half the size", at_half_size, "", ""}};
   return designs;
 }
 

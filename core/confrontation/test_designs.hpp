@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/config/run_config.hpp"
+#include "core/confrontation/preparation.hpp"
 
 namespace asperity {
 
@@ -13,9 +14,9 @@ struct TestDesign {
   std::string id, description;
   /// The changed run, or nothing where the change has no meaning for it or was made already.
   std::function<std::optional<RunConfig>(const RunConfig& made, const std::vector<RunConfig>& all)> change;
-  std::string concerns;      ///< A mechanism without which among the causes the test tells nothing; empty: none.
-  std::string switches_off;  ///< A mechanism that the test rules out; empty: none.
-  std::string turns;         ///< A mechanism whose angle turns with the core; empty: none.
+  std::string concerns;          ///< A mechanism without which among the causes the test tells nothing; empty: none.
+  std::string switches_off;      ///< A mechanism that the test rules out; empty: none.
+  Preparation preparation = {};  ///< Of its specimens, beyond that of the test it changes.
   std::vector<std::string> records = {};  ///< Features that the test gives beyond those of the test it changes.
 };
 

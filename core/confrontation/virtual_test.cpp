@@ -165,6 +165,7 @@ RunConfig virtual_test(const ConfrontationConfig& config, const MeasuredTest& te
   RunConfig run = parsed(config, base, document, test);
   run.name = run_name(config.name, test.id);
   run.description = "Virtual test " + test.id + " of " + config.measured.name + ".";
+  run.mechanisms = acting_in(test.preparation, run.mechanisms);
   if (output == VirtualOutput::least) reduce_output(run.output);
   return run;
 }
@@ -200,6 +201,10 @@ bool can_act(const RunConfig& virtual_test, const std::string& mechanism) {
   RunConfig run = virtual_test;
   run.mechanisms.push_back({mechanism, std::nullopt, {}});
   return mechanism_faults(run).empty();
+}
+
+bool can_act(const MeasuredTest& test, const RunConfig& virtual_test, const std::string& mechanism) {
+  return acting_in(test.preparation, {mechanism, std::nullopt, {}}) && can_act(virtual_test, mechanism);
 }
 
 }  // namespace asperity

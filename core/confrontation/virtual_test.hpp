@@ -15,8 +15,9 @@ enum class VirtualOutput {
 };
 
 /// The run that repeats a measured test: the base of its experiment with the test's geometry, confining pressure or
-/// normal stress and gauge, then the file's "set", then the test's own. The closing rate stays the base's: a simulation
-/// is quasi-static at its own rate. Throws Error(config) with the test's id before each pointer.
+/// normal stress and gauge, then the file's "set", then the test's own; mechanisms act as its specimens were prepared.
+/// The closing rate stays the base's: a simulation is quasi-static at its own rate. Throws Error(config) with the
+/// test's id before each pointer.
 RunConfig virtual_test(const ConfrontationConfig& config, const MeasuredTest& test,
                        VirtualOutput output = VirtualOutput::least);
 
@@ -34,5 +35,8 @@ std::optional<RunConfig> configured_if_legal(const RunConfig& virtual_test,
 
 /// Whether the mechanism of this id can be added to the run: it acts in its experiment and under its law.
 bool can_act(const RunConfig& virtual_test, const std::string& mechanism);
+
+/// The same of a measured test's run: it acts on specimens that were prepared so, too.
+bool can_act(const MeasuredTest& test, const RunConfig& virtual_test, const std::string& mechanism);
 
 }  // namespace asperity

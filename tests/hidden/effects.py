@@ -3,6 +3,7 @@
 An effect of the second kind acts on a specimen's run configuration (`on_config`), on the curve that was recorded (`on_curve`), or both.
 """
 import dataclasses
+from types import MappingProxyType
 
 from laboratory import scale
 
@@ -10,6 +11,7 @@ SLIP_BEGINS, SLIP_KEEPS = 0.3, 0.4      # of the peak load; of the lateral strai
 CELL_LIMIT_N_PER_MM, CELL_KEEPS = 250.0, 0.75  # load up to which the cell is true; what it shows of the rest
 PORE_SHARE = 0.4                        # of the confining pressure that stands in the pores
 WEAK_BLOCK = 0.75                       # strength of the discs' block over the others'
+WEAK_PLANE_DEG = 60                     # direction of the library's weak plane in cores that are not turned
 
 
 def pore_pressure_config(config):
@@ -52,6 +54,15 @@ def slipping_gauge(curve, test):
     curve["lateral_strain"] = [e if i < slips else held + SLIP_KEEPS * (e - held) for i, e in enumerate(curve["lateral_strain"])]
 
 
+def acting(id, amplitude, prepared):
+    """Entries of a mechanism in a test whose specimens were prepared so."""
+    if id == "platen_friction" and prepared.get("lubricated_platens"):
+        return []
+    if id == "weak_plane" and prepared.get("core_angle_deg"):
+        return [{"type": id, "amplitude": amplitude, "angle_deg": (WEAK_PLANE_DEG - prepared["core_angle_deg"] + 90) % 180 - 90}]
+    return [{"type": id, "amplitude": amplitude}]
+
+
 @dataclasses.dataclass(frozen=True)
 class Outside:
     on_config: object = None
@@ -69,11 +80,13 @@ class Effects:
     outside: str = None
     acts_in: dict = dataclasses.field(default_factory=dict, compare=False)
 
-    def apply(self, config):
+    def apply(self, config, prepared=MappingProxyType({})):
+        """`prepared`: what a test's keys say of its specimens that a run has no key for."""
         kind = config["experiment"]["type"]
-        entries = [{"type": id, "amplitude": amplitude} for id, amplitude in self.mechanisms if kind in self.acts_in[id]]
+        entries = [entry for id, amplitude in self.mechanisms if kind in self.acts_in[id] for entry in acting(id, amplitude, prepared)]
+        own = {entry["type"] for entry in config.get("mechanisms", [])}
         if entries:
-            config["mechanisms"] = entries
+            config["mechanisms"] = config.get("mechanisms", []) + [entry for entry in entries if entry["type"] not in own]
         outside = OUTSIDE[self.outside].on_config if self.outside else None
         if outside:
             outside(config)

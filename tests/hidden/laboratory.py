@@ -32,6 +32,9 @@ def joint(id, normal_stress_mpa):
     return LabTest(id, "direct_shear", keys, pointers)
 
 
+PREPARATION = ("core_angle_deg", "lubricated_platens")  # keys of a measured test that a run configuration does not have
+
+
 TESTS = {t.id: t for t in (
     compression("U", 100),
     compression("S", 50),
@@ -114,5 +117,5 @@ def specimen_config(base, test, suite, block, specimen, effects):
     if block["edge_factor"] != 1.0:
         apply_edge(config, block["edge_factor"])
     config["particles"]["seed"] = specimen["seed"]
-    effects.apply(config)
+    effects.apply(config, {key: value for key, value in test.keys.items() if key in PREPARATION})
     return config

@@ -1,10 +1,11 @@
-"""Whether the test that a verdict asks for parts its tie: ties.py --series FOLDER [--most N], then what series.py was called with.
+"""Whether the tests that verdicts ask for part their ties: ties.py --series FOLDER [--most N], then what series.py was called with.
 
-Of the ties of that series that hold the truth, each again with `--next-tests`: the first test of the verdict's list that a measured
-file can tell is made by the same laboratory (same rock, same effect, meshes of its own), laid beside the data, and the whole confronted
-anew. The truth has no say in which. Writes ties.jsonl and ties.txt into FOLDER.
+Of the ties of that series that hold the truth, each again with `--next-tests`: the first test of the verdict's list that this laboratory
+can make (same rock, same effect, meshes of its own) is laid beside the data, and the whole confronted anew, up to three times. The truth
+has no say in which. Writes ties.jsonl and ties.txt into FOLDER.
 """
 import argparse
+import copy
 import dataclasses
 import json
 import pathlib
@@ -18,13 +19,13 @@ from laboratory import LabTest
 from pool import Pool
 from verdicts import Confronter
 
-NEW = "N"  # id of the further test
-ADDED = "added.csv"
+MOST_TESTS = 3
 
 
 def further(parent, **keys):
     keys = parent.keys | keys
-    return LabTest(NEW, parent.experiment, keys, {f"/experiment/{name}": value for name, value in keys.items()})
+    pointers = {f"/experiment/{name}": value for name, value in keys.items() if name not in laboratory.PREPARATION}
+    return LabTest("N", parent.experiment, keys, pointers)
 
 
 def settings_of(base, parent, design):
@@ -43,11 +44,13 @@ def first_of(suite, experiment):
 
 
 def further_test(base, suite, design):
-    """The design as a test of this laboratory, and its settings; None for one that a measured file cannot tell."""
+    """The design as a test of this laboratory, and its settings; None for one that it cannot make."""
     uniaxial = first_of(suite, "uniaxial")
     tests = {
         "height_over_width_1": lambda: further(uniaxial, height_mm=uniaxial.keys["width_mm"]),
         "height_over_width_3": lambda: further(uniaxial, height_mm=3 * uniaxial.keys["width_mm"]),
+        "lubricated_platens": lambda: further(uniaxial, lubricated_platens=True),
+        "rotated_core": lambda: further(uniaxial, core_angle_deg=90),
         "half_size": lambda: further(uniaxial, width_mm=0.5 * uniaxial.keys["width_mm"], height_mm=0.5 * uniaxial.keys["height_mm"]),
         "slower_rate": lambda: further(uniaxial),
         "unload_reload": lambda: further(laboratory.TESTS[laboratory.SUITES[suite][0]]),
@@ -66,40 +69,54 @@ def highest(suite):
 
 
 def chosen_design(base, suite, verdict):
-    """The first of the verdict's list that a measured file can tell, with what it promises."""
+    """The first of the verdict's list that the laboratory can make, with what it promises."""
     return next((entry for entry in verdict["next_tests"] if further_test(base, suite, entry["id"])), None)
 
 
-def with_the_test(base, pool, plan, draw, data, folder, test):
+def with_the_test(base, pool, plan, draw, path, folder, test):
     """The data set with a further test: a copy, the new table beside it."""
-    shutil.copytree(data.parent, folder)
-    table = dataset.record_test(base, plan, draw, pool, test)
-    (folder / ADDED).write_text(table)
-    measured = json.loads(data.read_text())
-    measured["tests"].append({"id": NEW, "experiment": test.experiment, **test.keys, "curve": ADDED, "use": "fit"})
-    path = folder / data.name
+    shutil.copytree(path.parent, folder)
+    table = f"{test.id}.csv"
+    (folder / table).write_text(dataset.record_test(base, plan, draw, pool, test))
+    measured = json.loads(path.read_text())
+    measured["tests"].append({"id": test.id, "experiment": test.experiment, **test.keys, "curve": table, "use": "fit"})
+    path = folder / path.name
     dataset.write_json(path, measured)
     dataset.say_what_did_not_fail(pool.binary, path, measured)
     return path
 
 
 def settle(base, pool, confronter, plan, draw, row, work):
-    """Of one tie: the test asked for, and the verdict with it."""
+    """Of one tie: the tests asked for one after the other, and the verdicts with them."""
     shutil.rmtree(work, ignore_errors=True)
-    data = dataset.write_set(base, plan, draw, pool, work / "data")
-    asked = confronter.verdict(data, work / "asked", plan.suite, flags=("--next-tests",))
-    entry = chosen_design(base, plan.suite, asked)
-    first = asked["next_tests"][0] if asked["next_tests"] else None
-    result = {"case": row["case"], "tie": asked["causes"], "first": first, "asked": entry}
-    if entry is None:
-        return result | {"status": None, "causes": [], "resolved": False}
-    test, settings = further_test(base, plan.suite, entry["id"])
-    path = with_the_test(base, pool, plan, draw, data, work / "with", test)
-    own = {} if plan.suite == "poor" else base["tests"]
-    verdict = confronter.verdict(path, work / "settled", plan.suite, [("/tests", own | {NEW: {"set": settings}})])
-    judged = scoring.judge(dataset.truth_of(base, plan, draw), verdict)
-    return result | {"status": verdict["status"], "causes": verdict["causes"],
-                     "resolved": verdict["status"] == "named" and judged["in_set"], "wrong_single": judged["wrong_single"]}
+    path = dataset.write_set(base, plan, draw, pool, work / "data")
+    settings = {} if plan.suite == "poor" else copy.deepcopy(base["tests"])
+    verdict = confronter.verdict(path, work / "asked", plan.suite, flags=("--next-tests",))
+    result = {"case": row["case"], "tie": verdict["causes"], "rounds": []}
+    for number in range(1, MOST_TESTS + 1):
+        entry = chosen_design(base, plan.suite, verdict)
+        if entry is None:
+            break
+        test, own = further_test(base, plan.suite, entry["id"])
+        test = dataclasses.replace(test, id=f"N{number}")
+        settings[test.id] = {"set": own}
+        path = with_the_test(base, pool, plan, draw, path, work / f"with{number}", test)
+        verdict = confronter.verdict(path, work / f"settled{number}", plan.suite, [("/tests", settings)], flags=("--next-tests",))
+        judged = scoring.judge(dataset.truth_of(base, plan, draw), verdict)
+        result["rounds"].append({"asked": entry, "status": verdict["status"], "causes": verdict["causes"], "in_set": judged["in_set"],
+                                 "wrong_single": judged["wrong_single"]})
+    return result
+
+
+def is_named(result, rounds):
+    """Whether the truth alone was named after so many tests or fewer."""
+    return any(r["status"] == "named" and r["in_set"] for r in result["rounds"][:rounds])
+
+
+def is_parted(result):
+    """Whether the first test left the truth and refuted one of the two that it was to part."""
+    first = result["rounds"][0]
+    return first["in_set"] and not set(first["asked"]["separates"]) <= set(first["causes"])
 
 
 def spread(ties, most):
@@ -113,12 +130,18 @@ def spread(ties, most):
     return order[:most]
 
 
+def line_of(result):
+    rounds = [f" -> {r['asked']['id']} ({r['asked']['probability_correct']:.1%}): {r['status']} {' '.join(r['causes'])}" for r in result["rounds"]]
+    return f"{result['case']:20} {' '.join(result['tie'])}{''.join(rounds) or ': no test that the laboratory can make'}"
+
+
 def text_of(results):
-    asked = [r for r in results if r["asked"]]
-    lines = [f"{r['case']:28} {' '.join(r['tie'])}: {r['asked']['id'] if r['asked'] else 'no test of a measured file'}"
-             f" -> {r['status']} {' '.join(r['causes'])}" for r in results]
-    resolved = scoring.rate([r | {"hit": r["resolved"]} for r in asked], "hit", lambda r: True)
-    return "\n".join([*lines, f"resolved: {scoring.rate_text(resolved)}"]) + "\n"
+    asked = [r for r in results if r["rounds"]]
+    rates = {"first test parts its two": is_parted, "truth alone after one test": lambda r: is_named(r, 1),
+             f"truth alone after at most {MOST_TESTS}": lambda r: is_named(r, MOST_TESTS),
+             "wrong single name at the end": lambda r: r["rounds"][-1]["wrong_single"]}
+    told = [f"{what}: {scoring.rate_text(scoring.rate([{'hit': of(r)} for r in asked], 'hit', lambda r: True))}" for what, of in rates.items()]
+    return "\n".join([*map(line_of, results), *told]) + "\n"
 
 
 def main():
@@ -136,7 +159,7 @@ def main():
     for (_, _, plan, draw), row in spread(ties, own.most):
         results.append(settle(base, pool, confronter, plan, draw, row, own.series / "tie"))
         place.write_text("".join(json.dumps(r) + "\n" for r in results))
-        print(text_of(results[-1:]), end="", flush=True)
+        print(line_of(results[-1]), flush=True)
     (own.series / "ties.txt").write_text(text_of(results))
     print(text_of(results), end="")
 

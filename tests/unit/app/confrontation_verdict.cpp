@@ -80,19 +80,24 @@ TEST_CASE("every status has words of its own") {
   CHECK(contains(d.sentences(), "friction coefficient 0.150 ± 0.030"));
 }
 
-TEST_CASE("alarms, suspects of the solver, limits and extrapolated strengths stand before everything") {
+TEST_CASE("alarms, suspects of the solver, limits and strengths at an end stand before everything") {
   Documents d;
   d.verdict["gate"]["alarms"] = {"the data agree with the simulation better than scatter allows"};
   d.verdict["causes"] = {"mesh_size", "platen_friction"};
   d.verdict["parameters"][0]["at_limit"] = true;
-  d.verdict["candidates"][0]["amplitude"] = 7.5;
+  d.verdict["candidates"][0]["amplitude"] = d.shown["candidates"][0]["most"];
   const std::vector<Note> notes = verdict_alarms(d.data());
   REQUIRE(notes.size() == 5);
   CHECK(contains(notes[0].text, "Alarm: the data agree"));
   CHECK(contains(notes[1].text, "(mesh_size)"));
   CHECK(contains(notes[3].text, "limit of what is allowed for cohesion"));
   CHECK(contains(notes[3].text, "as far as 5 standard deviations"));
-  CHECK(contains(notes[4].text, "7.5 of the declared strong one"));
+  CHECK(contains(notes[3].text, "a mechanism may be named for it. Give it more room"));
+  CHECK(contains(notes[4].text, "3 of the declared strong one"));
+  d.shown["candidates"][0]["whole"] = true;
+  CHECK(verdict_alarms(d.data()).size() == 4);
+  d.shown["setting"]["linearised_at"] = "reference";
+  CHECK(contains(verdict_alarms(d.data())[3].text, "within four steps"));
 }
 
 TEST_CASE("a cause whose runs end before their peak is warned of") {

@@ -92,8 +92,36 @@ TEST_CASE("what is known to be taken for a cause is kept beside it where it fits
 }
 
 TEST_CASE("doubles are those that were named for one another, either way") {
-  CHECK(doubles_of("strength_scatter") == std::vector<std::string>{"initial_defects", "weak_plane"});
-  CHECK(doubles_of("weak_plane") == std::vector<std::string>{"strength_scatter"});
-  CHECK(doubles_of("initial_defects") == std::vector<std::string>{"strength_scatter", "mesh_size"});
-  CHECK(doubles_of("seating").empty());
+  const MeasuredData none;
+  CHECK(doubles_of("strength_scatter", none) == std::vector<std::string>{"initial_defects", "weak_plane"});
+  CHECK(doubles_of("weak_plane", none) == std::vector<std::string>{"strength_scatter"});
+  CHECK(doubles_of("initial_defects", none) == std::vector<std::string>{"strength_scatter", "mesh_size"});
+  CHECK(doubles_of("seating", none).empty());
+}
+
+TEST_CASE("doubles are none where the laboratory made the test that tells them apart") {
+  using Names = std::vector<std::string>;
+  MeasuredTest straight;
+  straight.width_mm = 50.0;
+  straight.height_mm = 100.0;
+  MeasuredTest turned = straight, low = straight, small = straight, disc = straight;
+  turned.preparation.core_angle_deg = 90.0;
+  low.height_mm = 50.0;
+  small.width_mm = 25.0;
+  small.height_mm = 50.0;
+  disc.experiment = ExperimentType::brazilian;
+  disc.preparation.core_angle_deg = 90.0;
+  const auto of = [&](const std::string& id, const MeasuredTest& other) {
+    MeasuredData data;
+    data.tests = {straight, other};
+    return doubles_of(id, data);
+  };
+  CHECK(of("strength_scatter", low) == Names{"initial_defects", "weak_plane"});
+  CHECK(of("strength_scatter", disc) == Names{"initial_defects", "weak_plane"});
+  CHECK(of("strength_scatter", turned) == Names{"initial_defects"});
+  CHECK(of("strength_scatter", small) == Names{"weak_plane"});
+  CHECK(of("initial_defects", small).empty());
+  CHECK(decides("rotated_core", "weak_plane", "strength_scatter"));
+  CHECK(!decides("half_size", "weak_plane", "strength_scatter"));
+  CHECK(decides("half_size", "initial_defects", "mesh_size"));
 }

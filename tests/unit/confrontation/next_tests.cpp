@@ -145,6 +145,19 @@ TEST_CASE("what is not known of parameters that move the test lowers the distanc
   CHECK(tests.front().probability_correct == Approx(0.6914624613));  // Phi(1/2)
 }
 
+TEST_CASE("of doubles only the test that is made for them counts") {
+  TwoCauses causes("next_tests_doubles", 2.0 * kDeviation);
+  causes.c.evidence.candidates[0].doubles = {kSecond};
+  causes.c.evidence.candidates[1].doubles = {kFirst};
+  CHECK(causes.tests().empty());
+  // What the candidates are called decides which test that is; the mechanisms that are run do not matter here.
+  causes.c.evidence.candidates[0] = {.id = "strength_scatter", .doubles = {"initial_defects"}};
+  causes.c.evidence.candidates[1] = {.id = "initial_defects", .doubles = {"strength_scatter"}};
+  const std::vector<NextTest> tests = causes.tests();
+  REQUIRE(tests.size() == 1);
+  CHECK(tests.front().id == "half_size");
+}
+
 TEST_CASE("no further test is sought where the data do not leave several single causes") {
   TwoCauses causes("next_tests_none", 2.0 * kDeviation);
   for (const VerdictStatus status :

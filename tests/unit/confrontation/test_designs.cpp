@@ -55,7 +55,9 @@ TEST_CASE("twice the confining pressure is that of the highest one") {
 }
 
 TEST_CASE("size, rate and the joint's stiffness") {
-  CHECK(design("half_size").change(kTall, {kTall})->experiment.width_mm == 25);
+  const auto half = design("half_size").change(kTall, {kTall});
+  CHECK(half->experiment.width_mm == 25);
+  CHECK(!design("half_size").change(kTall, {kTall, *half}));
   CHECK(design("slower_rate").change(kTall, {kTall})->experiment.loading.closing_rate_mm_per_s ==
         Approx(0.25 * kTall.experiment.loading.closing_rate_mm_per_s));
   RunConfig joint;
@@ -64,6 +66,6 @@ TEST_CASE("size, rate and the joint's stiffness") {
   joint.mechanisms = {{"normal_stiffness", 0.5, {}}};
   CHECK(!design("constant_normal_stiffness").change(joint, {joint}));
   CHECK(!design("constant_normal_stiffness").change(kTall, {kTall}));
-  CHECK(design("lubricated_platens").switches_off == "platen_friction");
-  CHECK(design("rotated_core").turns == "weak_plane");
+  CHECK(design("lubricated_platens").preparation == Preparation{0.0, true});
+  CHECK(design("rotated_core").preparation == Preparation{90.0, false});
 }
