@@ -22,6 +22,16 @@ void add_campaign_options(CLI::App& command, CampaignSessionOptions& options) {
   command.add_flag("--quiet", options.quiet, "No progress on stderr");
 }
 
+/// A share of 1; CLI11's own range takes "nan".
+CLI::Validator share() {
+  return {[](std::string& text) {
+            double value = -1.0;
+            const bool good = CLI::detail::lexical_cast(text, value) && value >= 0.0 && value <= 1.0;
+            return good ? std::string() : "Value " + text + " not in range 0 to 1";
+          },
+          "FLOAT in [0 - 1]"};
+}
+
 void add_force(CLI::App& command, bool& force) {
   command.add_flag("--force", force, "Replaces results of another configuration or of other data in that folder");
 }
@@ -132,15 +142,18 @@ void add_confront(CLI::App& cli, Action& action) {
   command
       ->add_option("--check-bank", options->check_share,
                    "Share of the runs taken from the bank that is computed again; exit code 6 on a difference")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(share());
   command->add_flag("--next-tests", options->next_tests,
                     "Simulates further tests that would part several causes, also where linearise_at is reference");
-  command->add_option("--check-seed", options->check_seed, "Which ones")->capture_default_str();
+  command->add_option("--check-seed", options->check_seed, "Which ones")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command->add_flag("--no-report{false}", options->report, "Write the verdict only: no runs to be shown, no page");
   add_campaign_options(*command, options->session);
   command->footer(
       "Examples:\n  asperity confront configs/confrontation/zigong.json\n"
-      "  asperity confront configs/confrontation/laboratory.json --set /measured=$PWD/my_tests.json --out outputs/mine\n"
+      "  asperity confront configs/confrontation/laboratory.json --set /measured=$PWD/my_tests.json --out "
+      "outputs/mine\n"
       "  asperity confront configs/confrontation/laboratory.json --check-bank 0.05");
   command->callback([=, &action] { action = [=] { return confront_command(*options); }; });
 }

@@ -48,6 +48,14 @@ void show(const ConfrontationConfig& config, const Confrontation& confrontation,
   write_confrontation_report(out);
 }
 
+/// Before runs that would take hours.
+void require_folder_of(const fs::path& bank) {
+  const fs::path folder = fs::absolute(bank).parent_path();
+  if (!fs::is_directory(folder))
+    throw Error(ErrorKind::output, {{"--write-bank", "lies in no folder", bank.string(),
+                                     "a file in a folder that exists", "create " + folder.string() + " first"}});
+}
+
 void carry_through(const ConfrontCommandOptions& options, const ConfrontationConfig& config, const fs::path& out) {
   const Simulator simulate = [&](const std::string& stage, const std::vector<CampaignRun>& runs) {
     std::vector<CampaignOutcome> outcomes =
@@ -63,7 +71,10 @@ void carry_through(const ConfrontCommandOptions& options, const ConfrontationCon
     for (RunFeatures& run : source.features(stage, runs)) values.push_back(std::move(run.values));
     return values;
   };
-  const ConfrontationTask task = confrontation_task(config, features);
+  ConfrontationTask task = confrontation_task(config, features);
+  task.options.draws.at_each_draw = [] {
+    if (interruption_requested()) throw CalibrationInterrupted{};
+  };
   write_file_atomically(out / "frozen.json", frozen_record(config, task));
   const Confrontation confrontation = confront(task);
   VerdictContext context = verdict_context(config, task, confrontation);
@@ -87,6 +98,7 @@ int confront_command(const ConfrontCommandOptions& options) {
   if (options.session.quiet) set_log_echo(LogEcho::errors);
   const ConfrontationConfig config = read_confrontation(options.config, options.overrides);
   const fs::path out = options.out.value_or(default_run_folder(config.name));
+  if (options.write_bank) require_folder_of(*options.write_bank);
   Manifest manifest = begin_study({out, config.name, confrontation_hash(config), kResults}, options.config,
                                   options.force ? ExistingRun::replace : ExistingRun::keep);
   try {

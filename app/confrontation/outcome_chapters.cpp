@@ -173,12 +173,13 @@ Chapter next_chapter(const ConfrontationData& data) {
   PlainTable table{"Which further test would tell the causes apart.",
                    {{"Test", "", ColumnKind::head},
                     {"What", "", ColumnKind::prose},
+                    {"Otherwise as", "", ColumnKind::text},
                     {"Tells apart", "", ColumnKind::text},
                     {"Distance", "sd"},
                     {"Right answer", "%"}},
                    {}};
   for (const Value& n : data.verdict["next_tests"].items())
-    table.rows.push_back({{n["id"].text(), n["description"].text(), names(n["separates"]),
+    table.rows.push_back({{n["id"].text(), n["description"].text(), n["changes"].text(), names(n["separates"]),
                            figures(n["distance"].number(), 2), percent_right(n["probability_correct"].number())},
                           html::RowTone::plain});
   if (!table.rows.empty()) chapter.blocks.emplace_back(std::move(table));

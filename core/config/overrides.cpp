@@ -1,6 +1,7 @@
 #include "core/config/overrides.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/config/json_text.hpp"
 #include "core/config/schema_lookup.hpp"
@@ -10,16 +11,6 @@ namespace asperity {
 using nlohmann::json;
 
 namespace {
-
-bool is_pointer(const std::string& text) {
-  if (!text.starts_with('/')) return false;
-  try {
-    json::json_pointer{text};
-    return true;
-  } catch (const json::parse_error&) {
-    return false;
-  }
-}
 
 Fault malformed(const std::string& text) {
   return {"--set", "is not of the form /json/pointer=value", text, "/json/pointer=value",
@@ -65,18 +56,22 @@ void set_value(json& document, const Override& item) {
   *node = item.value;
 }
 
-bool leads_into_array(const json& schema, const std::string& pointer) {
-  const std::string parent = json::json_pointer(pointer).parent_pointer().to_string();
-  const json* node = schema_at(schema, parent);
-  if (!node || !node->contains("items")) return false;
-  const std::vector<std::string> keys = allowed_keys(*node);  // a node may allow an object as well
-  return std::find(keys.begin(), keys.end(), pointer_tokens(pointer).back()) == keys.end();
+/// The array into which the pointer leads, at whatever depth.
+std::optional<std::string> array_above(const json& schema, const std::string& pointer) {
+  std::string known;
+  for (const std::string& token : pointer_tokens(pointer)) {
+    const json* node = schema_at(schema, known);
+    if (!node) return std::nullopt;
+    const std::vector<std::string> keys = allowed_keys(*node);  // a node may allow an object as well
+    if (node->contains("items") && std::find(keys.begin(), keys.end(), token) == keys.end()) return known;
+    known = child_pointer(known, token);
+  }
+  return std::nullopt;
 }
 
-Fault inside_array(const json& schema, const Override& item) {
-  const std::string parent = json::json_pointer(item.pointer).parent_pointer().to_string();
+Fault inside_array(const json& schema, const Override& item, const std::string& array) {
   return {item.pointer, "is inside an array, which is set as a whole", json_text(item.value),
-          allowed_text(*schema_at(schema, parent)), "set " + parent + " instead, for example " + parent + "=[...]"};
+          allowed_text(*schema_at(schema, array)), "set " + array + " instead, for example " + array + "=[...]"};
 }
 
 }  // namespace
@@ -87,7 +82,7 @@ std::vector<Override> parse_overrides(const std::vector<std::string>& texts) {
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     const std::string pointer = text.substr(0, equals);
-    if (equals == std::string::npos || !is_pointer(pointer))
+    if (equals == std::string::npos || !is_json_pointer(pointer))
       faults.push_back(malformed(text));
     else
       overrides.push_back(parse_override(pointer, text.substr(equals + 1)));
@@ -100,8 +95,8 @@ std::vector<Fault> apply_overrides(json& document, const json& schema, const std
   std::vector<Fault> faults;
   for (const Override& item : overrides) {
     faults.insert(faults.end(), item.faults.begin(), item.faults.end());
-    if (leads_into_array(schema, item.pointer))
-      faults.push_back(inside_array(schema, item));
+    if (const auto array = array_above(schema, item.pointer))
+      faults.push_back(inside_array(schema, item, *array));
     else if (!schema_at(schema, item.pointer))
       faults.push_back(unknown_pointer(schema, item));
     else

@@ -98,6 +98,7 @@ std::string config_kind(const std::filesystem::path& path) {
   const std::string name =
       named ? std::filesystem::path(document.at("$schema").get<std::string>()).filename().string() : "";
   if (name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
+  if (document.is_object() && document.contains("measured") && document.contains("bases")) return "confrontation";
   return document.is_object() && document.contains("tests") && !document.contains("experiment") ? "measured" : "run";
 }
 

@@ -99,6 +99,16 @@ std::string nearest_anywhere(const json& schema, const std::string& key) {
 
 }  // namespace
 
+bool is_json_pointer(const std::string& text) {
+  if (!text.starts_with('/')) return false;
+  try {
+    json::json_pointer{text};
+    return true;
+  } catch (const json::parse_error&) {
+    return false;
+  }
+}
+
 std::vector<std::string> pointer_tokens(const std::string& pointer) {
   std::vector<std::string> tokens;
   for (json::json_pointer rest(pointer); !rest.empty(); rest.pop_back()) tokens.push_back(rest.back());

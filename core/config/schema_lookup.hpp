@@ -7,6 +7,9 @@
 /// What the messages need to know from a JSON Schema: the node behind a JSON pointer, its range in words, near keys.
 namespace asperity {
 
+/// Whether the text is a JSON pointer to something inside a document: it begins with a slash, and every ~ with 0 or 1.
+bool is_json_pointer(const std::string& text);
+
 /// The tokens of a JSON pointer, unescaped; "" has none. A malformed pointer throws nlohmann's parse_error.
 std::vector<std::string> pointer_tokens(const std::string& pointer);
 

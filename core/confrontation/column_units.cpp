@@ -19,6 +19,28 @@ constexpr UnitSuffix kPure[] = {{"", 1.0}};
 
 }  // namespace
 
+QuantityLimit limit_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::strain:
+      return {"a strain", 0.5, ""};  // beyond it a percentage under the wrong name
+    case Quantity::stress:
+      return {"a stress", 1e6, "MPa"};
+    case Quantity::modulus:
+      return {"a modulus", 1e4, "GPa"};
+    case Quantity::length:
+      return {"a length", 1e6, "mm"};
+    case Quantity::line_load:
+      return {"a load over thickness", 1e7, "N/mm"};
+    case Quantity::force:
+      return {"a force", 1e12, "N"};
+    case Quantity::count:
+      return {"a count", 1e12, ""};
+    case Quantity::ratio:
+      break;
+  }
+  return {"a ratio", 1e6, ""};
+}
+
 std::span<const UnitSuffix> unit_suffixes(Quantity quantity) {
   switch (quantity) {
     case Quantity::strain:

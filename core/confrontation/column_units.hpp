@@ -9,6 +9,15 @@ namespace asperity {
 /// What a column or a result measures.
 enum class Quantity { strain, stress, modulus, length, line_load, force, count, ratio };
 
+/// A quantity in words, and what no measurement of it exceeds in absolute value, in the core's unit.
+struct QuantityLimit {
+  std::string_view word;  ///< "a stress".
+  double largest;
+  std::string_view unit;  ///< "MPa"; empty: none.
+};
+
+QuantityLimit limit_of(Quantity quantity);
+
 /// A way to write a unit at the end of a name, with the factor to the core's unit.
 struct UnitSuffix {
   std::string_view suffix;  ///< "_mpa"; empty: no suffix.

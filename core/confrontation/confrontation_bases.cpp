@@ -81,8 +81,8 @@ void check_type(const GivenBase& given, const std::string& key, std::vector<Faul
 void read_base(ConfrontationConfig& config, ExperimentType type, std::vector<Fault>& faults) {
   const std::optional<std::string> key = key_of(config.document.at("bases"), type);
   if (!key) {
-    faults.push_back({"/bases", "has no base for the experiment of a measured test", "",
-                      "a run configuration or its path under \"" + std::string(word(type)) + "\"", ""});
+    faults.push_back({"/bases/" + std::string(word(type)), "is missing: measured tests are of this experiment", "",
+                      "a run configuration or its path", ""});
     return;
   }
   const std::size_t before = faults.size();

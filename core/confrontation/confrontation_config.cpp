@@ -10,6 +10,7 @@
 #include "core/config/schema_faults.hpp"
 #include "core/config/schema_lookup.hpp"
 #include "core/confrontation/confrontation_parts.hpp"
+#include "core/confrontation/feature_bank.hpp"
 #include "core/confrontation/read_measured.hpp"
 
 namespace asperity {
@@ -73,6 +74,25 @@ MeasuredData read_measured(const fs::path& path) {
   }
 }
 
+/// Reads the bank, so that a bad one is told before anything is made or replaced.
+void check_bank(const ConfrontationConfig& config, std::vector<Fault>& faults) {
+  if (!config.bank) return;
+  if (!fs::exists(*config.bank)) {
+    faults.push_back({"/bank", "is no file", config.bank->string(), "what --write-bank has written",
+                      "leave it out to have every run computed"});
+    return;
+  }
+  try {
+    read_bank(*config.bank);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::config) throw;
+    for (Fault fault : error.faults()) {
+      fault.where = "/bank, " + fault.where;
+      faults.push_back(std::move(fault));
+    }
+  }
+}
+
 ConfrontationConfig read_keys(const fs::path& path, json document) {
   ConfrontationConfig config;
   config.path = path;
@@ -102,6 +122,7 @@ ConfrontationConfig read_confrontation(const fs::path& path, const std::vector<s
   ConfrontationConfig config = read_keys(path, read_document(path, overrides));
   config.measured = read_measured(config.measured_path);
   std::vector<Fault> faults;
+  check_bank(config, faults);
   read_declared(config);
   read_meshes(config, faults);
   parts::read_bases(config, faults);

@@ -34,7 +34,7 @@ ConfrontationParameter read_parameter(const json& entry, const std::vector<Exper
   p.lower = entry.at("lower");
   p.upper = entry.at("upper");
   p.only = experiments(entry, present);
-  const json* node = p.pointer.starts_with("/") ? schema_at(parsed_schema("run"), p.pointer) : nullptr;
+  const json* node = is_json_pointer(p.pointer) ? schema_at(parsed_schema("run"), p.pointer) : nullptr;
   p.unit = entry.value("unit", node ? node->value("unit", "1") : "1");
   return p;
 }
@@ -42,10 +42,11 @@ ConfrontationParameter read_parameter(const json& entry, const std::vector<Exper
 /// A number of the run configuration.
 void check_pointer(const std::string& pointer, const std::string& where, std::vector<Fault>& faults) {
   const json& schema = parsed_schema("run");
-  const json* node = pointer.starts_with("/") ? schema_at(schema, pointer) : nullptr;
+  const bool legal = is_json_pointer(pointer);
+  const json* node = legal ? schema_at(schema, pointer) : nullptr;
   if (node && single_type(*node) == "number") return;
   const std::size_t slash = pointer.rfind('/');
-  const bool hint = !node && slash != std::string::npos;
+  const bool hint = legal && !node;
   faults.push_back({where, node ? "is no number that could be moved" : "is no microparameter of the model", pointer,
                     "the JSON pointer of a number in a run configuration, e.g. /contacts/cohesion_mpa",
                     hint ? key_hint(schema, pointer.substr(0, slash), pointer.substr(slash + 1)) : ""});
@@ -61,6 +62,9 @@ void check_range(const ConfrontationParameter& p, const std::string& where, std:
   } else if (p.transform == ParameterTransform::tangent && (p.lower < 0.0 || p.upper >= 90.0)) {
     faults.push_back({where + (p.lower < 0.0 ? "/lower" : "/upper"), "is no angle of friction",
                       number_text(p.lower < 0.0 ? p.lower : p.upper), "from 0, below 90 deg", ""});
+  } else if (const double width = theta_of(p.transform, p.upper) - theta_of(p.transform, p.lower); p.step > width) {
+    faults.push_back({where + "/step", "is wider than the way from lower to upper", number_text(p.step),
+                      "at most " + number_text(width), "a finite difference: of a logarithm 0.08 is 8 %"});
   }
 }
 
@@ -131,7 +135,11 @@ void check_twice(const std::vector<ConfrontationParameter>& all, std::size_t i, 
     list.push_back(p.pointer);
     return list;
   };
-  const std::vector<std::string> own = pointers(all[i]);
+  std::vector<std::string> own = pointers(all[i]);
+  std::sort(own.begin(), own.end());
+  if (const auto same = std::adjacent_find(own.begin(), own.end()); same != own.end())
+    faults.push_back(
+        {where + "/tied", "names a pointer that the parameter moves already", *same, "each pointer once", ""});
   for (std::size_t j = 0; j < i; ++j) {
     if (all[j].name == all[i].name)
       faults.push_back(

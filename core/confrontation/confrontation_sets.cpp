@@ -31,8 +31,9 @@ void check_pointers(const json& set, const std::string& where, std::vector<Fault
   for (const auto& [pointer, value] : set.items()) {
     const std::string place = where + ": " + pointer;
     const std::size_t slash = pointer.rfind('/');
-    if (!pointer.starts_with('/')) {
-      faults.push_back({place, "is no JSON pointer", json_text(value), "e.g. \"/particles/edge_mm\"", ""});
+    if (!is_json_pointer(pointer)) {
+      faults.push_back({place, "is no JSON pointer", json_text(value), "e.g. \"/particles/edge_mm\"",
+                        pointer.starts_with('/') ? "~ is written ~0 in it, and / inside a key ~1" : ""});
     } else if (!schema_at(schema, pointer)) {
       faults.push_back({place, "is no key of a run configuration", json_text(value), "its JSON pointer",
                         key_hint(schema, pointer.substr(0, slash), pointer.substr(slash + 1))});

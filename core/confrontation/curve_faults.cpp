@@ -11,8 +11,6 @@
 namespace asperity {
 namespace {
 
-/// A strain above this is a percentage under the wrong name.
-constexpr double kLargestStrain = 0.5;
 /// While the path goes back the load falls by this share of the largest, or nothing is unloaded.
 constexpr double kLeastUnloading = 0.05;
 /// A total stress begins at this share of the confining pressure at least.
@@ -53,14 +51,31 @@ bool check_rows(const Look& look) {
   return false;
 }
 
-void check_strain(const Look& look) {
-  const bool joint_or_disc =
-      look.test.experiment == ExperimentType::brazilian || look.test.experiment == ExperimentType::direct_shear;
-  const std::vector<double>& path = look.curve.curve.path;
-  const auto largest = std::max_element(path.begin(), path.end());
-  if (joint_or_disc || *largest <= kLargestStrain) return;
-  look.fault(static_cast<std::size_t>(largest - path.begin()), "axial_strain is too large for a strain", *largest,
-             fmt::format("up to {:g}", kLargestStrain), "name the column axial_strain_percent if it is in percent");
+std::string unit_hint(const ColumnKind& kind) {
+  if (kind.quantity == Quantity::strain)
+    return fmt::format("name the column {}_percent if it is in percent", kind.base);
+  return "is the unit at the end of the column's name that of its numbers?";
+}
+
+bool check_size(const Look& look, const ColumnKind& kind) {
+  const std::vector<double>& values = look.curve.curve.*(kind.member);
+  const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto largest = std::max_element(values.begin(), values.end(), by_size);
+  const QuantityLimit limit = limit_of(kind.quantity);
+  if (values.empty() || std::abs(*largest) <= limit.largest) return true;
+  look.fault(static_cast<std::size_t>(largest - values.begin()),
+             fmt::format("{} is too large for {}", kind.base, limit.word), *largest,
+             fmt::format("up to {:g}{}{}", limit.largest, limit.unit.empty() ? "" : " ", limit.unit), unit_hint(kind));
+  return false;
+}
+
+bool check_sizes(const Look& look) {
+  bool good = true;
+  for (const ColumnKind& kind : curve_columns(look.test.experiment)) {
+    const bool copied = kind.member == &Curve::gauge_strain && path_is_gauge(look.test);
+    if (!copied && !check_size(look, kind)) good = false;
+  }
+  return good;
 }
 
 bool check_sign(const Look& look) {
@@ -120,9 +135,13 @@ void check_peak(const Look& look) {
 void check_events(const Look& look) {
   const std::vector<double>& events = look.curve.curve.events;
   const auto falls = std::adjacent_find(events.begin(), events.end(), std::greater<>());
-  if (falls == events.end()) return;
-  look.fault(static_cast<std::size_t>(falls - events.begin()) + 1, "acoustic_events falls", *(falls + 1),
-             "a cumulative count", "add the counts up");
+  if (falls != events.end()) {
+    look.fault(static_cast<std::size_t>(falls - events.begin()) + 1, "acoustic_events falls", *(falls + 1),
+               "a cumulative count", "add the counts up");
+  } else if (!events.empty() && events.front() < 0.0) {
+    look.fault(0, "acoustic_events is negative", events.front(), "a cumulative count, 0 or more",
+               "count from the test's beginning");
+  }
 }
 
 void check_lateral(const Look& look) {
@@ -140,8 +159,7 @@ std::vector<Fault> curve_faults(const MeasuredTest& test) {
   std::vector<Fault> faults;
   for (const SpecimenCurve& curve : test.curves) {
     const Look look{test, curve, faults};
-    if (!check_numbers(look) || !check_rows(look)) continue;
-    check_strain(look);
+    if (!check_numbers(look) || !check_rows(look) || !check_sizes(look)) continue;
     check_events(look);
     check_lateral(look);
     if (check_sign(look) && check_total(look) && check_ways_back(look)) check_peak(look);

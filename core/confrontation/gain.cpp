@@ -89,6 +89,7 @@ Gain measure_gain(const Comparison& hold_out, const Scatter& scatter, const Feat
   RandomStream random(options.seed, "confrontation gain");
   std::vector<double> changes;
   for (int d = 0; d < options.draws; ++d) {
+    options.at_each_draw();
     const VectorXd data = hold_out.data + repeat(hold_out, scatter, options.noise, random).difference;
     changes.push_back(log_density(data, extension) - log_density(data, base));
   }

@@ -8,6 +8,8 @@
 namespace asperity {
 namespace {
 
+constexpr double kNoMisfit = 1e-9;  // what rounding leaves where calibration absorbs everything
+
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -127,6 +129,7 @@ Gate gate(const Comparison& comparison, const Scatter& scatter, const BaseFit& f
   RandomStream random(options.seed, "confrontation gate");
   std::vector<double> misfits, least_misfits, explained;
   for (int d = 0; d < options.draws; ++d) {
+    options.at_each_draw();
     const Repetition again = repeat(comparison, scatter, options.noise, random);
     const VectorXd difference = again.difference + drawn_parameter_error(comparison, fit, random);
     const WhitenedFrame drawn_frame(again.covariance, fit.absorbing);
@@ -139,7 +142,8 @@ Gate gate(const Comparison& comparison, const Scatter& scatter, const BaseFit& f
   const double most = gate.pattern.explained.size() > 0 ? gate.pattern.explained.maxCoeff() : 0.0;
   gate.p_explained = share_above(explained, most);
   gate.p_misfit = gamma_tail(misfits, gate.pattern.misfit);
-  gate.p_too_good = 1.0 - share_above(least_misfits, gate.pattern.misfit);
+  gate.p_too_good = 1.0 - share_above(least_misfits, std::max(gate.pattern.misfit, kNoMisfit));
+  gate.left = comparison.data.size() - frame.absorbed();
   gate.discrepancy = gate.p_explained < options.explained_level || gate.p_misfit < options.misfit_level;
   return gate;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/confrontation/scatter.hpp"
@@ -14,6 +15,7 @@ struct GateOptions {
   double explained_level = 0.02;  ///< Of the largest explained part.
   double misfit_level = 1e-4;     ///< Of the whole misfit.
   NoiseOptions noise;
+  std::function<void()> at_each_draw = [] {};  ///< May throw, to end where the user wants to.
 };
 
 /// What one comparison shows beyond calibration; Eqs. (N14), (N15).
@@ -36,8 +38,8 @@ Eigen::MatrixXd projected_fingerprints(const WhitenedFrame& frame, const Eigen::
 struct Gate {
   Pattern pattern;
   double p_explained = 1, p_misfit = 1;  ///< The latter by a gamma law through the draws' misfits.
-  double p_too_good =
-      1;  ///< Share of draws by the meshes' scatter alone with a smaller misfit: near 0, too good a fit.
+  double p_too_good = 1;  ///< Share of draws by the meshes' scatter alone that fit as well: near 0, too good a fit.
+  Eigen::Index left = 0;  ///< Directions of the data that calibration does not absorb.
   bool discrepancy = false;
   Eigen::VectorXd hidden_share;  ///< By candidate: 1 - eta, what calibration absorbs of its fingerprint.
   Eigen::VectorXd detectable;    ///< By candidate: amplitude that would have been seen, Eq. (N16); infinite: none.

@@ -6,7 +6,9 @@
 #include <cerrno>
 
 #include "core/base/atomic_file.hpp"
+#include "core/base/error.hpp"
 #include "core/base/file_descriptor.hpp"
+#include "core/base/log.hpp"
 #include "core/base/output_error.hpp"
 #include "core/base/sha256.hpp"
 #include "core/output/run_identity.hpp"
@@ -44,7 +46,14 @@ std::string code_key() {
 
 FeatureBank read_gathered(const fs::path& store) {
   const fs::path file = gathered_file(store);
-  return fs::exists(file) ? read_bank(file) : FeatureBank{};
+  if (!fs::exists(file)) return {};
+  try {
+    return read_bank(file);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::config) throw;
+    log_warning(file.string() + " is damaged: features are read anew from the store's runs");
+    return {};
+  }
 }
 
 void add_gathered(const fs::path& store, const FeatureBank& more) {

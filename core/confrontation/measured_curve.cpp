@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 
 #include "core/config/suggest.hpp"
 #include "core/confrontation/curve_columns.hpp"
+#include "core/measurement/curve_shape.hpp"
 
 namespace asperity {
 namespace {
@@ -122,17 +124,33 @@ std::vector<double> read_column(const CsvData& table, const Taken& column, std::
   }
 }
 
+using SpecimenRows = std::pair<std::string, std::vector<std::size_t>>;
+
 /// Specimens in the order in which they first appear, with their rows.
-std::vector<std::pair<std::string, std::vector<std::size_t>>> rows_of_specimens(const CsvData& table) {
-  std::vector<std::pair<std::string, std::vector<std::size_t>>> groups;
+std::vector<SpecimenRows> rows_of_specimens(const CsvData& table) {
+  std::vector<SpecimenRows> groups;
+  std::unordered_map<std::string, std::size_t> places;
   const std::vector<std::string> names =
       table.has(kSpecimen) ? table.words(kSpecimen) : std::vector<std::string>(table.rows(), "1");
   for (std::size_t row = 0; row < names.size(); ++row) {
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == names[row]; });
-    if (group == groups.end()) group = groups.insert(groups.end(), {names[row], {}});
-    group->second.push_back(row);
+    const auto [place, fresh] = places.emplace(names[row], groups.size());
+    if (fresh) groups.push_back({names[row], {}});
+    groups[place->second].second.push_back(row);
   }
   return groups;
+}
+
+/// Of several specimens none has rows enough for a curve: `specimen` counts something else.
+bool all_too_short(const std::vector<SpecimenRows>& specimens) {
+  const auto is_short = [](const SpecimenRows& s) { return s.second.size() < kLeastRows; };
+  return specimens.size() > 1 && std::all_of(specimens.begin(), specimens.end(), is_short);
+}
+
+Fault short_fault(const fs::path& file, std::size_t specimens, std::size_t rows) {
+  return {file.string(), "every specimen has too few rows",
+          std::to_string(specimens) + " specimens in " + std::to_string(rows) + " rows",
+          std::to_string(kLeastRows) + " rows or more of each",
+          "specimen names the replicate a row belongs to; name a counter of rows note_row"};
 }
 
 }  // namespace
@@ -145,7 +163,9 @@ std::vector<Fault> take_in_curves(const CsvData& table, const fs::path& file, Me
   for (const Taken& column : columns) whole.*(column.kind->member) = read_column(table, column, faults);
   if (!faults.empty()) return faults;
   if (test.axial_gauge_mm && whole.gauge_strain.empty()) whole.gauge_strain = whole.path;
-  for (const auto& [specimen, rows] : rows_of_specimens(table)) {
+  const std::vector<SpecimenRows> specimens = rows_of_specimens(table);
+  if (all_too_short(specimens)) return {short_fault(file, specimens.size(), table.rows())};
+  for (const auto& [specimen, rows] : specimens) {
     SpecimenCurve curve{specimen, select_rows(whole, rows), {}};
     for (const std::size_t row : rows) curve.lines.push_back(table.line(row));
     test.curves.push_back(std::move(curve));

@@ -47,6 +47,7 @@ void judge_one(const Comparison& comparison, const Scatter& scatter, const BaseF
   RandomStream random(options.draws.seed, stream_name(fit.causes, candidates));
   std::vector<double> misfits, excesses;
   for (int d = 0; d < options.draws.draws; ++d) {
+    options.draws.at_each_draw();
     const DrawnNoise noise = drawn_noise(comparison, scatter, base, hypotheses[k], fit, options.draws.noise, random);
     double own = 0.0, best = std::numeric_limits<double>::max();
     for (std::size_t j = 0; j < hypotheses.size(); ++j) {
@@ -126,6 +127,7 @@ SecondCause second_cause(const Comparison& comparison, const Scatter& scatter, c
   RandomStream random(options.draws.seed, stream_name(first.causes, candidates) + " second");
   std::vector<double> explained;
   for (int d = 0; d < options.draws.draws; ++d) {
+    options.draws.at_each_draw();
     const DrawnNoise noise = drawn_noise(comparison, scatter, base, first, fit, options.draws.noise, random);
     const WhitenedFrame frame(bent_covariance(noise.covariance, first), nuisance);
     explained.push_back(strongest(comparison, frame, noise.error, candidates, first).explained);

@@ -98,16 +98,24 @@ bool has_all(const TestDesign& design, const TestEvidence& made) {
   return true;
 }
 
-/// Effects of the parameters on the parent's slots; zero where the parent was not fitted.
-MatrixXd parent_effects(const Confrontation& c, const TestEvidence& parent, const std::vector<Index>& slots) {
-  MatrixXd effects = MatrixXd::Zero(static_cast<Index>(slots.size()), c.fitted.jacobian.cols());
+/// The rows of the fitted comparison in which the parent's slots stand; -1 of those that were not fitted.
+std::vector<Index> fitted_rows(const Confrontation& c, const TestEvidence& parent, const std::vector<Index>& slots) {
+  std::vector<Index> rows(slots.size(), -1);
   for (const ComparedTest& part : c.fitted.tests) {
     if (part.test != &parent) continue;
     for (std::size_t i = 0; i < slots.size(); ++i) {
       const auto found = std::find(part.columns.begin(), part.columns.end(), slots[i]);
-      if (found != part.columns.end())
-        effects.row(static_cast<Index>(i)) = c.fitted.jacobian.row(part.first + (found - part.columns.begin()));
+      if (found != part.columns.end()) rows[i] = part.first + (found - part.columns.begin());
     }
+  }
+  return rows;
+}
+
+/// Effects of the parameters on the parent's slots; zero where they were not fitted.
+MatrixXd parent_effects(const Confrontation& c, const std::vector<Index>& rows) {
+  MatrixXd effects = MatrixXd::Zero(static_cast<Index>(rows.size()), c.fitted.jacobian.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i] >= 0) effects.row(static_cast<Index>(i)) = c.fitted.jacobian.row(rows[i]);
   }
   return effects;
 }
@@ -132,6 +140,21 @@ bool counts(const TestDesign& design, const Candidate& one, const Candidate& oth
   return !doubled || decides(design.id, one.id, other.id);
 }
 
+/// Sigma of Eq. (N18): of what was fitted as it was measured there, correlations and instruments included, else of so
+/// many specimens, each by itself; and of the meshes that were run.
+MatrixXd scatter_of(const Confrontation& c, const VectorXd& variance, const std::vector<Index>& rows) {
+  MatrixXd covariance = variance.asDiagonal();
+  covariance /= kSpecimens;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+      if (rows[i] >= 0 && rows[j] >= 0)
+        covariance(static_cast<Index>(i), static_cast<Index>(j)) = c.scatter.covariance(rows[i], rows[j]);
+    }
+  }
+  covariance.diagonal() += variance / static_cast<double>(kMeshes);
+  return covariance;
+}
+
 /// D of Eq. (N18).
 double distance(const Confrontation& c, const SimulatedDesign& design, std::size_t k, std::size_t l) {
   const TestEvidence& parent = c.evidence.tests[design.parent];
@@ -141,10 +164,10 @@ double distance(const Confrontation& c, const SimulatedDesign& design, std::size
   VectorXd difference(static_cast<Index>(slots.size()));
   for (std::size_t i = 0; i < slots.size(); ++i)
     difference(static_cast<Index>(i)) = a.col(slots[i]).mean() - b.col(slots[i]).mean();
-  const MatrixXd effects = parent_effects(c, parent, slots);
+  const std::vector<Index> rows = fitted_rows(c, parent, slots);
+  const MatrixXd effects = parent_effects(c, rows);
   const Index parameters = effects.cols();
-  MatrixXd covariance =
-      (1.0 / kSpecimens + 1.0 / kMeshes) * variances(parent, a, b, slots).asDiagonal().toDenseMatrix();
+  MatrixXd covariance = scatter_of(c, variances(parent, a, b, slots), rows);
   for (const std::size_t cause : {k, l}) {
     const MatrixXd known = c.conclusion.kept[cause].covariance.topLeftCorner(parameters, parameters);
     covariance += effects * known * effects.transpose();
@@ -199,6 +222,7 @@ std::vector<NextTest> next_tests(const ConfrontationConfig& config, const Confro
         const double probability = 0.5 * std::erfc(-0.5 * d / std::numbers::sqrt2);
         tests.push_back({design.design->id,
                          design.design->description,
+                         config.measured.tests[design.parent].id,
                          {causes_text(c, c.conclusion.kept[k].causes), causes_text(c, c.conclusion.kept[l].causes)},
                          d,
                          probability});

@@ -146,6 +146,8 @@ ordered_json cosines_json(const Confrontation& c) {
 ordered_json gate_json(const Gate& gate) {
   ordered_json alarms = ordered_json::array();
   if (gate.p_too_good < kTooGood) alarms.push_back("the data agree with the simulation better than scatter allows");
+  if (gate.left == 0)
+    alarms.push_back("calibration absorbs every compared feature: nothing is left to judge the model by");
   return {{"discrepancy", gate.discrepancy},   {"misfit", number(gate.pattern.misfit)},
           {"p_misfit", number(gate.p_misfit)}, {"p_explained", gate.p_explained},
           {"p_too_good", gate.p_too_good},     {"alarms", std::move(alarms)}};
@@ -177,6 +179,7 @@ ordered_json next_json(const VerdictContext& context) {
   for (const NextTest& n : context.next_tests) {
     list.push_back({{"id", n.id},
                     {"description", n.description},
+                    {"changes", n.changes},
                     {"separates", n.separates},
                     {"distance", number(n.distance)},
                     {"probability_correct", number(n.probability_correct)}});

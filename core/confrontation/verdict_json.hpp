@@ -17,6 +17,7 @@ struct ParameterValue {
 /// A further test and what it would decide.
 struct NextTest {
   std::string id, description;
+  std::string changes;                 ///< Id of the measured test that it is made like.
   std::vector<std::string> separates;  ///< Ids of two causes.
   double distance = 0;                 ///< D, Eq. (N18).
   double probability_correct = 0;      ///< Phi(D/2)

@@ -84,7 +84,8 @@ class CsvData {
 };
 
 /// Reads a CSV file with a header row. Throws Error(config) naming file:line for a row of the wrong length, an open
-/// quote, a column named twice, and where the file is missing or has no header.
+/// quote, text behind a closing quote, text that is not UTF-8, other separators than commas, a column named twice, and
+/// where the file is missing or has no header.
 CsvData read_csv(const std::filesystem::path& path);
 
 /// The same for bytes that are already there; `name` stands for the file in errors.

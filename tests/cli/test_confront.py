@@ -31,6 +31,10 @@ def finished(store):
     return times
 
 
+def bytes_below(folder):
+    return {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
 def asperity(*arguments):
     return subprocess.run(support.command(*arguments), capture_output=True, text=True, timeout=SECONDS, cwd=SCRATCH,
                           env=support.environment())
@@ -98,6 +102,42 @@ class Confront(support.CommandLineTest):
         self.assertFalse((folder / "plots").exists())
         manifest = json.loads((folder / "manifest.json").read_text())
         self.assertEqual((manifest["outcome"], len(manifest["config_hash"])), ("finished", 64))
+
+    def test_results_whose_manifest_is_lost_are_kept(self):
+        folder = SCRATCH / "lost"
+        folder.mkdir()
+        (folder / "verdict.json").write_text("{}")
+        words = ("--store", SCRATCH / "store", "--out", folder, "--quiet", "--no-report")
+        refused = asperity("confront", CONFRONTATION, *words)
+        self.assertEqual(refused.returncode, 5, refused.stderr)
+        self.assertIn("without a manifest", refused.stderr)
+        self.assertEqual((folder / "verdict.json").read_text(), "{}")
+
+    def test_a_bad_bank_replaces_nothing_and_a_bank_without_a_folder_costs_no_run(self):
+        folder = SCRATCH / "banked"
+        words = ("confront", CONFRONTATION, "--store", SCRATCH / "store", "--out", folder, "--quiet", "--no-report")
+        self.assertEqual(asperity(*words).returncode, 0)
+        before = bytes_below(folder)
+        bad = asperity(*words, "--set", "/seed=4", "--set", "/bank=none.txt", "--force")
+        self.assertEqual(bad.returncode, 3, bad.stderr)
+        self.assertIn("/bank: is no file", bad.stderr)
+        nowhere = asperity(*words, "--set", "/seed=4", "--force", "--write-bank", SCRATCH / "nowhere/bank.txt")
+        self.assertEqual(nowhere.returncode, 5, nowhere.stderr)
+        self.assertIn("--write-bank", nowhere.stderr)
+        self.assertEqual(asperity(*words, "--check-bank", "nan").returncode, 2)
+        self.assertEqual(bytes_below(folder), before)
+
+    def test_features_that_were_gathered_and_damaged_are_read_anew(self):
+        store = SCRATCH / "damaged_store"
+        shutil.copytree(SCRATCH / "store", store)
+        gathered = list(store.glob("features_*.txt"))
+        self.assertEqual(len(gathered), 1)
+        gathered[0].write_text("junk")
+        result = asperity("confront", CONFRONTATION, "--store", store, "--out", SCRATCH / "damaged", "--no-report")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("is damaged", result.stderr)
+        self.assertIn(" 0 computed", result.stdout)
+        self.assertEqual((SCRATCH / "damaged/verdict.json").read_bytes(), (self.folder / "verdict.json").read_bytes())
 
     def test_results_of_a_measured_file_that_has_changed_are_kept(self):
         mine = SCRATCH / "mine.json"

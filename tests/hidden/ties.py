@@ -39,38 +39,30 @@ def settings_of(base, parent, design):
     return {}
 
 
-def first_of(suite, experiment):
-    return next((laboratory.TESTS[id] for id in laboratory.SUITES[suite] if laboratory.TESTS[id].experiment == experiment), None)
+# What the laboratory can make of a test it has made. It has no joint that is held by springs, and no second dilation gauge.
+CHANGES = {
+    "lubricated_platens": lambda keys: {"lubricated_platens": True},
+    "rotated_core": lambda keys: {"core_angle_deg": 90},
+    "height_over_width_1": lambda keys: {"height_mm": keys["width_mm"]},
+    "height_over_width_3": lambda keys: {"height_mm": 3 * keys["width_mm"]},
+    "half_size": lambda keys: {"width_mm": 0.5 * keys["width_mm"], "height_mm": 0.5 * keys["height_mm"]},
+    "twice_confining_pressure": lambda keys: {"confining_pressure_mpa": 2 * keys["confining_pressure_mpa"]},
+    "slower_rate": lambda keys: {},
+    "unload_reload": lambda keys: {},
+}
 
 
-def further_test(base, suite, design):
-    """The design as a test of this laboratory, and its settings; None for one that it cannot make."""
-    uniaxial = first_of(suite, "uniaxial")
-    tests = {
-        "height_over_width_1": lambda: further(uniaxial, height_mm=uniaxial.keys["width_mm"]),
-        "height_over_width_3": lambda: further(uniaxial, height_mm=3 * uniaxial.keys["width_mm"]),
-        "lubricated_platens": lambda: further(uniaxial, lubricated_platens=True),
-        "rotated_core": lambda: further(uniaxial, core_angle_deg=90),
-        "half_size": lambda: further(uniaxial, width_mm=0.5 * uniaxial.keys["width_mm"], height_mm=0.5 * uniaxial.keys["height_mm"]),
-        "slower_rate": lambda: further(uniaxial),
-        "unload_reload": lambda: further(laboratory.TESTS[laboratory.SUITES[suite][0]]),
-        "twice_confining_pressure": lambda: further(highest(suite), confining_pressure_mpa=2 * highest(suite).keys["confining_pressure_mpa"]),
-    }
-    if design not in tests:
-        return None
-    test = tests[design]()
-    settings = settings_of(base, test, design)
+def further_test(base, made, entry):
+    """The further test that a verdict asks for as a test of this laboratory, and its settings. `made`: its tests by id."""
+    parent = made[entry["changes"]]
+    test = further(parent, **CHANGES[entry["id"]](parent.keys))
+    settings = settings_of(base, parent, entry["id"])
     return dataclasses.replace(test, pointers=test.pointers | settings), settings
 
 
-def highest(suite):
-    triaxial = [laboratory.TESTS[id] for id in laboratory.SUITES[suite] if laboratory.TESTS[id].experiment == "triaxial"]
-    return max(triaxial, key=lambda test: test.keys["confining_pressure_mpa"])
-
-
-def chosen_design(base, suite, verdict):
+def chosen_design(verdict):
     """The first of the verdict's list that the laboratory can make, with what it promises."""
-    return next((entry for entry in verdict["next_tests"] if further_test(base, suite, entry["id"])), None)
+    return next((entry for entry in verdict["next_tests"] if entry["id"] in CHANGES), None)
 
 
 def with_the_test(base, pool, plan, draw, path, folder, test):
@@ -92,13 +84,14 @@ def settle(base, pool, confronter, plan, draw, row, work):
     path = dataset.write_set(base, plan, draw, pool, work / "data")
     settings = {} if plan.suite == "poor" else copy.deepcopy(base["tests"])
     verdict = confronter.verdict(path, work / "asked", plan.suite, flags=("--next-tests",))
+    made = {id: laboratory.TESTS[id] for id in laboratory.SUITES[plan.suite]}
     result = {"case": row["case"], "tie": verdict["causes"], "rounds": []}
     for number in range(1, MOST_TESTS + 1):
-        entry = chosen_design(base, plan.suite, verdict)
+        entry = chosen_design(verdict)
         if entry is None:
             break
-        test, own = further_test(base, plan.suite, entry["id"])
-        test = dataclasses.replace(test, id=f"N{number}")
+        test, own = further_test(base, made, entry)
+        test = made[f"N{number}"] = dataclasses.replace(test, id=f"N{number}")
         settings[test.id] = {"set": own}
         path = with_the_test(base, pool, plan, draw, path, work / f"with{number}", test)
         verdict = confronter.verdict(path, work / f"settled{number}", plan.suite, [("/tests", settings)], flags=("--next-tests",))

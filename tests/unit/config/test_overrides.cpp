@@ -46,6 +46,9 @@ TEST_CASE("arrays are overridden as a whole") {
   CHECK(r.faults.size() == 2);
   CHECK(contains(r.at("/output/fields/0").hint, "set /output/fields instead"));
   CHECK(contains(r.at("/measurement/modulus_window/99999999999").what, "inside an array"));
+  const Refusal deep = refusal(kDisc, {"/joint/profile/0/angle_deg=45"});
+  REQUIRE(deep.faults.size() == 1);
+  CHECK(contains(deep.at("/joint/profile/0/angle_deg").hint, "set /joint/profile instead"));
 }
 
 TEST_CASE("an override below something that is no object leaves that fault to the schema") {

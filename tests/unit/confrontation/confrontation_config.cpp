@@ -5,8 +5,10 @@
 #include <fstream>
 #include <set>
 
+#include "core/config/read_config.hpp"
 #include "core/config/schema.hpp"
 #include "core/config/schema_lookup.hpp"
+#include "core/confrontation/feature_bank.hpp"
 #include "tests/unit/confrontation/confrontation_folder.hpp"
 
 using namespace asperity;
@@ -62,6 +64,7 @@ TEST_CASE("a confrontation is read with its measured file, parameters, features 
   document["meshes"] = {{"noise", 10}, {"common", 5}};
   document["linearise_at"] = "reference";
   document["bank"] = "bank.txt";
+  write_bank(folder.root() / "bank.txt", {});
   document["slurm"] = {{"partition", "short"}};
   const ConfrontationConfig config = folder.read(document, {"/draws=260", "/alarm_level=0.05"});
   CHECK(config.measured.name == "D17");
@@ -172,6 +175,9 @@ TEST_CASE("what a parameter cannot be is told at its pointer") {
   check_fault(with("lower", 1.5), "/parameters/0", "starts outside its own range");
   check_fault(with("transfrom", "log"), "/parameters/0/transfrom", "did you mean transform?");
   check_fault(with("tied", {"/contacts/cohesion"}), "/parameters/0/tied/0", "is no microparameter");
+  check_fault(with("tied", {"/contacts/cohesion_mpa"}), "/parameters/0/tied", "moves already");
+  check_fault(with("pointer", "/contacts/~x"), "/parameters/0/pointer", "is no microparameter");
+  check_fault(with("step", 10), "/parameters/0/step", "wider than the way from lower to upper");
   const std::vector<Fault> derived = with("tied", {"/contacts/shear_stiffness_mpa_per_mm"});
   REQUIRE(derived.size() == 4);
   CHECK(derived[0].where == "/parameters/0/tied/0");
@@ -200,7 +206,9 @@ TEST_CASE("bases: their own faults at their place, a missing one, another experi
   check_fault(folder.faults(document), "/bases/brazilian/particles/edge", "did you mean edge_mm?");
   document = confrontation();
   document["bases"].erase("brazilian");
-  check_fault(folder.faults(document), "/bases", "\"brazilian\"");
+  check_fault(folder.faults(document), "/bases/brazilian", "is missing");
+  document["bases"].erase("direct_shear");
+  CHECK(folder.faults(document).size() == 2);
   document = confrontation();
   document["bases"]["brazilian"]["experiment"]["type"] = "uniaxial";
   check_fault(folder.faults(document), "/bases/brazilian/experiment/type", "move it to /bases/uniaxial");
@@ -222,6 +230,10 @@ TEST_CASE("sets and sizes: pointers, tests, what is assumed without a word why")
   document = confrontation();
   document["tests"] = {{"T2", {{"set", json::object()}}}};
   check_fault(folder.faults(document), "/tests/T2", "did you mean T1?");
+  document["set"] = {{"/contacts/~x", 1}};
+  document["tests"] = json::object();
+  check_fault(folder.faults(document), "/set: /contacts/~x", "~ is written ~0");
+  document = confrontation();
   document["tests"] = {{"T1", {{"/experiment/stop/axial_strain", 0.03}}}};
   check_fault(folder.faults(document), "/tests/T1", "is no object with the key \"set\"");
   document["tests"] = {{"T1", {{"set", {{"/experiment/stop/axial_strain", 7}}}}}};
@@ -252,4 +264,24 @@ TEST_CASE(
   const std::vector<Fault> faults = folder.faults(confrontation());
   REQUIRE(!faults.empty());
   CHECK(faults.front().where == "/measured, " + (folder.root() / "data.json").string() + ": /tests/0/experiment");
+}
+
+TEST_CASE("a bank that cannot be read is told with the configuration's other faults") {
+  const ConfrontationFolder folder("bad_bank");
+  json document = confrontation();
+  document["bank"] = "none.txt";
+  document["hold_out"] = {"none"};
+  const std::vector<Fault> faults = folder.faults(document);
+  REQUIRE(faults.size() == 2);
+  CHECK(faults[0].where == "/bank");
+  std::ofstream(folder.root() / "none.txt") << "no bank";
+  CHECK(folder.faults(document).front().where.starts_with("/bank, " + (folder.root() / "none.txt").string()));
+}
+
+TEST_CASE("a file is known for a confrontation by its keys") {
+  const ConfrontationFolder folder("kinds");
+  json document = confrontation();
+  document.erase("$schema");
+  folder.put("no_schema.json", document);
+  CHECK(config_kind(folder.root() / "no_schema.json") == "confrontation");
 }

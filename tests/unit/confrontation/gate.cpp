@@ -1,6 +1,7 @@
 #include "core/confrontation/gate.hpp"
 
 #include <catch2/catch.hpp>
+#include <stdexcept>
 
 #include "core/confrontation/naming.hpp"
 #include "tests/support/toy_laboratory.hpp"
@@ -214,4 +215,30 @@ TEST_CASE("the gamma law's tail is that of an exponential sample's law") {
   std::vector<double> sample;
   for (int i = 0; i < 20000; ++i) sample.push_back(-std::log(1.0 - random.uniform()));
   CHECK(gamma_tail(sample, 5.0) == Approx(std::exp(-5.0)).epsilon(0.15));
+}
+
+TEST_CASE("where calibration absorbs every feature, nothing is too good") {
+  const toy::World world;
+  Analysis a = analyse(toy::evidence(world, toy::nothing(world), 1), 200);
+  CHECK(a.gate.left > 0);
+  a.fit.absorbing = Eigen::MatrixXd::Identity(a.comparison.data.size(), a.comparison.data.size());
+  GateOptions options;
+  options.draws = 200;
+  const Gate nothing_left = gate(a.comparison, a.scatter, a.fit, a.evidence.candidates, options);
+  CHECK(nothing_left.left == 0);
+  CHECK(nothing_left.p_too_good > 0.9);
+}
+
+TEST_CASE("draws end where the user wants to") {
+  const toy::World world;
+  const Analysis a = analyse(toy::evidence(world, hidden_cause(world, 0, 0.8), 1), 200);
+  int draws = 0;
+  NamingOptions options = naming_options(200);
+  options.draws.at_each_draw = [&] {
+    if (++draws == 3) throw std::runtime_error("ended");
+  };
+  CHECK_THROWS_WITH(gate(a.comparison, a.scatter, a.fit, a.evidence.candidates, options.draws), "ended");
+  draws = 0;
+  CHECK_THROWS_WITH(judged(a, options), "ended");
+  CHECK(draws == 3);
 }

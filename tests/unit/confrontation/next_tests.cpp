@@ -133,6 +133,8 @@ TEST_CASE("what is not known of parameters that move the test lowers the distanc
   causes.c.fitted.tests.push_back({&causes.c.evidence.tests[kTriaxial], {0}, 0, {}, 0});
   causes.c.fitted.jacobian = MatrixXd::Zero(1, causes.c.fitted.jacobian.cols());
   causes.c.fitted.jacobian(0, 0) = slope;
+  // What is fitted is known as well as it was measured: here as five specimens of that variance.
+  causes.c.scatter.covariance = MatrixXd::Constant(1, 1, 4.0 / 3.0 * kScatter * kScatter / 5.0);
   // Together they add three times kDeviation^2, so that the deviation doubles: D is 1 in place of 2.
   const double together = 3.0 * kDeviation * kDeviation / (slope * slope);
   causes.c.conclusion.kept[0].covariance(0, 0) = 0.6 * together;

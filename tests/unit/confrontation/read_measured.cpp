@@ -4,37 +4,11 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
-#include "tests/support/measured_folder.hpp"
+#include "tests/unit/confrontation/measured_faults.hpp"
 
 using namespace asperity;
 using namespace asperity::measured;
 using nlohmann::json;
-
-namespace {
-
-/// The faults of a document, each as "where: what (found ...)".
-std::vector<Fault> faults_of(const Folder& folder, const json& document) {
-  try {
-    folder.read(document);
-  } catch (const Error& error) {
-    CHECK(error.kind() == ErrorKind::config);
-    return error.faults();
-  }
-  return {};
-}
-
-/// Exactly one fault, there, in these words, with a hint or what is allowed.
-void check_one(const std::vector<Fault>& faults, const std::string& where, const std::string& what) {
-  std::string all;
-  for (const Fault& fault : faults) all += describe(fault) + "\n";
-  CAPTURE(all, where, what);
-  REQUIRE(faults.size() == 1);
-  CHECK_THAT(faults.front().where, Catch::EndsWith(where));
-  CHECK_THAT(faults.front().what, Catch::Contains(what));
-  CHECK(!(faults.front().hint + faults.front().allowed).empty());
-}
-
-}  // namespace
 
 TEST_CASE("a file with curves, numbers and both is read as the format has it") {
   const Folder folder("format");

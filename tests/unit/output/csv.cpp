@@ -126,12 +126,36 @@ TEST_CASE("faults in a CSV file name file and line") {
   };
   CHECK_THAT(message("# c\nx_mm,y\n1,2\n1\n"),
              Catch::Contains("data.csv:4: wrong number of cells (found 1; allowed: 2: x_mm, y)"));
-  CHECK_THAT(message("x_mm\n1\nabc\n"), Catch::Contains("data.csv:3: x_mm is no number (found abc; allowed: a number)"));
+  CHECK_THAT(message("x_mm\n1\nabc\n"),
+             Catch::Contains("data.csv:3: x_mm is no number (found abc; allowed: a number)"));
   CHECK_THAT(message("x_mm\n1.0.0\n"), Catch::Contains("data.csv:2: x_mm is no number"));
   CHECK_THAT(message("x_mm\n\"1\n"), Catch::Contains("data.csv:2: a quote stays open"));
+  CHECK_THAT(message("x_mm,y\n\"0.05\"junk,0.9\n"), Catch::Contains("data.csv:2: text stands behind a closing quote"));
+  CHECK_THAT(message("x_mm;y\n0,5;1\n"),
+             Catch::Contains("data.csv:1: the columns are separated by semicolons (found x_mm;y; allowed: commas"));
+  CHECK_THAT(message("x_mm\ty\n1\t2\n"), Catch::Contains("data.csv:1: the columns are separated by tabs"));
   CHECK_THAT(message("x_mm,x_mm\n"), Catch::Contains("data.csv:1: a column is named twice (found x_mm)"));
   CHECK_THAT(message("y\n1\n"), Catch::Contains("data.csv: no column \"x_mm\" (allowed: y)"));
   CHECK_THAT(message("# only a comment\n"), Catch::Contains("data.csv: has no header row"));
+}
+
+TEST_CASE("text that is not UTF-8 is refused at its line") {
+  const std::vector<std::string> wrong{
+      "\xfc", "a\xc3", "\xc0\xaf", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xf8", "\xff\xfe"};
+  for (const std::string& text : wrong) {
+    CAPTURE(text);
+    CHECK_THROWS_WITH(parse_csv("x_mm\n1\n" + text + "\n", "data.csv"),
+                      Catch::StartsWith("data.csv:3: is no UTF-8 text (found ") && Catch::Contains("save the file as"));
+  }
+  CHECK_THROWS_WITH(parse_csv("Pr\xfc"
+                              "f,x\n",
+                              "data.csv"),
+                    Catch::Contains("(found Pr\\xfcf,x)"));
+  const CsvData data = parse_csv(
+      "name\nPr\xc3\xbc"
+      "f\n\xed\x9f\xbf\n\xe2\x82\xac\n\xf4\x8f\xbf\xbf\n",
+      "data.csv");
+  CHECK(data.rows() == 4);
 }
 
 TEST_CASE("a missing CSV file is wrong input, not a failed output") {
