@@ -43,14 +43,21 @@ const Candidate& candidate_of(const std::vector<Candidate>& candidates, const Hy
   return candidates[static_cast<std::size_t>(single.causes.front())];
 }
 
-/// Those that are known to be taken for a kept one are kept, too, unless their own misfit refutes them, Eq. (N25).
+bool among(const std::vector<std::string>& ids, const std::string& id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+/// Those that are known to be taken for a kept one are kept, too, unless their own misfit refutes them or, where the
+/// test that tells the two apart was made, they fit worse by two standard deviations; Eq. (N25).
 void keep_doubles(const std::vector<Candidate>& candidates, double level, std::vector<HypothesisFit>& singles) {
+  constexpr double kWorse = 4.0;
   const std::vector<HypothesisFit> kept = kept_of(singles);
   for (HypothesisFit& single : singles) {
     const std::string& id = candidate_of(candidates, single).id;
     const bool is_double = std::any_of(kept.begin(), kept.end(), [&](const HypothesisFit& other) {
-      const std::vector<std::string>& doubles = candidate_of(candidates, other).doubles;
-      return std::find(doubles.begin(), doubles.end(), id) != doubles.end();
+      const Candidate& cause = candidate_of(candidates, other);
+      const bool near = single.misfit - other.misfit < kWorse;
+      return among(cause.doubles, id) || (near && among(cause.tested_doubles, id));
     });
     single.kept = single.kept || (is_double && single.p_misfit >= level);
   }

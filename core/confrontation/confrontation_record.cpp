@@ -69,9 +69,15 @@ ordered_json frozen(const ConfrontationConfig& config, const ConfrontationTask& 
                               {"features", slots}};
   }
   for (const Candidate& c : task.evidence.candidates) {
-    json["library"][c.id] = {
-        {"run_at", c.amplitude}, {"far", c.far},     {"two_sided", c.two_sided},      {"least", c.least},
-        {"most", c.most},        {"whole", c.whole}, {"strong", strong_values(c.id)}, {"doubles", c.doubles}};
+    json["library"][c.id] = {{"run_at", c.amplitude},
+                             {"far", c.far},
+                             {"two_sided", c.two_sided},
+                             {"least", c.least},
+                             {"most", c.most},
+                             {"whole", c.whole},
+                             {"strong", strong_values(c.id)},
+                             {"doubles", c.doubles},
+                             {"tested_doubles", c.tested_doubles}};
   }
   for (const ConfrontationParameter& p : config.parameters) {
     ordered_json only = ordered_json::array();

@@ -226,7 +226,10 @@ ConfrontationTask confrontation_task(const ConfrontationConfig& config, Features
   }
   task.evidence.parameters = calibrated_parameters(config);
   task.evidence.candidates = library_candidates(config.mechanisms);
-  for (Candidate& c : task.evidence.candidates) c.doubles = doubles_of(c.id, config.measured);
+  for (Candidate& c : task.evidence.candidates) {
+    c.doubles = doubles_of(c.id, config.measured);
+    c.tested_doubles = tested_doubles_of(c.id, config.measured);
+  }
   task.plan = plan_of(config, task.evidence, *runs);
   task.linearised_at =
       config.linearise_at == LineariseAt::reference ? LinearisedAt::reference : LinearisedAt::calibrated;

@@ -54,7 +54,8 @@ struct Candidate {
   double least = 0.0;      ///< Smallest one other than 0 that they allow: infinite is no value of a reciprocal one.
   bool whole = false;      ///< Takes whole numbers.
   double far = 0.0;        ///< A second amplitude of its runs, beyond the first, or below 0; 0: none.
-  std::vector<std::string> doubles = {};  ///< Ids of those that it is known to be taken for, Eq. (N25).
+  std::vector<std::string> doubles = {};         ///< Ids of those that it is known to be taken for, Eq. (N25).
+  std::vector<std::string> tested_doubles = {};  ///< The same where the test that tells the two apart was made.
 };
 
 /// The amplitude nearest to this one that a run can have: within the candidate's range, a whole number where it takes

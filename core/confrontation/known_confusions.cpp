@@ -73,16 +73,25 @@ bool has_gauge(const MeasuredData& data) {
   });
 }
 
+/// Whatever was named wrongly for this one, or this one for it; `tested`: by the test that tells the two apart.
+std::vector<std::string> named_wrongly(const std::string& id, const MeasuredData& data, bool tested) {
+  std::vector<std::string> others;
+  for (const Confusion& c : kConfusions) {
+    if (!c.named_wrongly() || c.made(data) != tested) continue;
+    if (c.one == id) others.push_back(c.other);
+    if (c.other == id) others.push_back(c.one);
+  }
+  return others;
+}
+
 }  // namespace
 
 std::vector<std::string> doubles_of(const std::string& id, const MeasuredData& data) {
-  std::vector<std::string> doubles;
-  for (const Confusion& c : kConfusions) {
-    if (!c.named_wrongly() || c.made(data)) continue;
-    if (c.one == id) doubles.push_back(c.other);
-    if (c.other == id) doubles.push_back(c.one);
-  }
-  return doubles;
+  return named_wrongly(id, data, false);
+}
+
+std::vector<std::string> tested_doubles_of(const std::string& id, const MeasuredData& data) {
+  return named_wrongly(id, data, true);
 }
 
 bool decides(const std::string& design, const std::string& one, const std::string& other) {

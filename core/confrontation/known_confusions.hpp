@@ -7,8 +7,11 @@
 namespace asperity {
 
 /// Mechanisms for which this one was named wrongly in laboratories with a known cause, or that were named for it: a
-/// better fit does not tell them apart, Eq. (N25), unless the laboratory made the test that does.
+/// better fit does not tell them apart, Eq. (N25). Without those for which the laboratory made the test that does.
 std::vector<std::string> doubles_of(const std::string& id, const MeasuredData& data);
+
+/// Those for which it made that test.
+std::vector<std::string> tested_doubles_of(const std::string& id, const MeasuredData& data);
 
 /// Whether that further test is one that tells these doubles apart.
 bool decides(const std::string& design, const std::string& one, const std::string& other);

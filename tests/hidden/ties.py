@@ -20,6 +20,7 @@ from pool import Pool
 from verdicts import Confronter
 
 MOST_TESTS = 3
+TOOL_LEVEL = 0.02  # default of alarm_level
 
 
 def further(parent, **keys):
@@ -78,6 +79,12 @@ def with_the_test(base, pool, plan, draw, path, folder, test):
     return path
 
 
+def fits_of(verdict, causes):
+    """How well the causes of the tie fit now, and by what they are kept or refuted."""
+    keys = ("misfit", "p_misfit", "p_excess", "kept")
+    return {c["id"]: {key: c[key] for key in keys} for c in verdict["candidates"] if c["id"] in causes}
+
+
 def settle(base, pool, confronter, plan, draw, row, work):
     """Of one tie: the tests asked for one after the other, and the verdicts with them."""
     shutil.rmtree(work, ignore_errors=True)
@@ -97,7 +104,7 @@ def settle(base, pool, confronter, plan, draw, row, work):
         verdict = confronter.verdict(path, work / f"settled{number}", plan.suite, [("/tests", settings)], flags=("--next-tests",))
         judged = scoring.judge(dataset.truth_of(base, plan, draw), verdict)
         result["rounds"].append({"asked": entry, "status": verdict["status"], "causes": verdict["causes"], "in_set": judged["in_set"],
-                                 "wrong_single": judged["wrong_single"]})
+                                 "wrong_single": judged["wrong_single"], "fits": fits_of(verdict, result["tie"])})
     return result
 
 
@@ -146,7 +153,7 @@ def main():
     base, acts_in = laboratory.read_base(o.source), series.library(o.binary)
     pool = Pool(o.binary.resolve(), o.pool or o.source / "outputs/hidden_pool", base, o.jobs)
     confronter = Confronter(o.binary.resolve(), o.source.resolve(), o.store or o.source / "outputs/hidden_store", o.jobs)
-    rows = [json.loads(line) for line in (own.series / "rows.jsonl").read_text().splitlines()]
+    rows = [scoring.at_alarm_level(json.loads(line), TOOL_LEVEL) for line in (own.series / "rows.jsonl").read_text().splitlines()]
     ties = [(s, row) for s, row in zip(series.all_sets(o, acts_in), rows) if row["status"] == "indistinguishable" and row["in_set"]]
     place, results = own.series / "ties.jsonl", []
     for (_, _, plan, draw), row in spread(ties, own.most):

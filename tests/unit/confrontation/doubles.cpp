@@ -30,12 +30,13 @@ Evidence laboratory(double sine, std::uint64_t draw) {
   return evidence;
 }
 
-Conclusion concluded(const Evidence& evidence) {
+Conclusion concluded(const Evidence& evidence, double level = NamingOptions().level) {
   const Comparison comparison = compare(evidence, TestUse::fit);
   const Scatter scatter = scatter_of(comparison, {});
   const BaseFit base = calibrate_base(comparison, scatter.covariance, evidence.parameters);
   NamingOptions options;
   options.draws.draws = 200;
+  options.level = level;
   options.near = 1e3;  // all are refitted
   const Gate found = gate(comparison, scatter, base, evidence.candidates, options.draws);
   const HypothesisMaker make = [&](const std::vector<std::vector<Index>>& lists) {
@@ -91,6 +92,29 @@ TEST_CASE("what is known to be taken for a cause is kept beside it where it fits
   CHECK(far.ties < far.named);
 }
 
+TEST_CASE("where the test was made that tells two apart, a fit that is worse by two standard deviations refutes") {
+  int near = 0, far = 0;
+  constexpr double kLevel = 0.2;  // at which a fit that is hardly worse is refuted, too
+  for (const double sine : {0.2, 0.5}) {
+    for (int draw = 0; draw < kLaboratories; ++draw) {
+      Evidence evidence = laboratory(sine, static_cast<std::uint64_t>(draw));
+      const Conclusion alone = concluded(evidence, kLevel);
+      const HypothesisFit* other = single(alone, kOther);
+      if (alone.status != VerdictStatus::named || alone.kept.front().causes.front() != kTruth || !other) continue;
+      if (other->p_misfit < kLevel) continue;
+      const bool is_near = other->misfit - alone.kept.front().misfit < 4.0;
+      evidence.candidates[kTruth].tested_doubles = {evidence.candidates[kOther].id};
+      const Conclusion tested = concluded(evidence, kLevel);
+      CHECK(tested.status == (is_near ? VerdictStatus::indistinguishable : VerdictStatus::named));
+      near += is_near;
+      far += !is_near;
+    }
+  }
+  CAPTURE(near, far);
+  CHECK(far >= 3);
+  CHECK(near >= 1);
+}
+
 TEST_CASE("doubles are those that were named for one another, either way") {
   const MeasuredData none;
   CHECK(doubles_of("strength_scatter", none) == std::vector<std::string>{"initial_defects", "weak_plane"});
@@ -121,6 +145,10 @@ TEST_CASE("doubles are none where the laboratory made the test that tells them a
   CHECK(of("strength_scatter", turned) == Names{"initial_defects"});
   CHECK(of("strength_scatter", small) == Names{"weak_plane"});
   CHECK(of("initial_defects", small).empty());
+  MeasuredData both_sizes;
+  both_sizes.tests = {straight, small};
+  CHECK(tested_doubles_of("initial_defects", both_sizes) == Names{"strength_scatter", "mesh_size"});
+  CHECK(tested_doubles_of("weak_plane", both_sizes).empty());
   CHECK(decides("rotated_core", "weak_plane", "strength_scatter"));
   CHECK(!decides("half_size", "weak_plane", "strength_scatter"));
   CHECK(decides("half_size", "initial_defects", "mesh_size"));
