@@ -19,9 +19,11 @@ void remove_result(const fs::path& path) {
   if (error) throw output_error(path, "cannot be removed", error.value());
 }
 
+/// Whether a study has left numbers there; folders and pages may be anybody's.
 bool has_results(const StudyFolder& study) {
-  return std::any_of(study.results.begin(), study.results.end(),
-                     [&](const std::string& name) { return fs::exists(study.folder / name); });
+  return std::any_of(study.results.begin(), study.results.end(), [&](const std::string& name) {
+    return name.ends_with(".json") && fs::exists(study.folder / name);
+  });
 }
 
 }  // namespace
@@ -35,14 +37,14 @@ void make_folder(const std::filesystem::path& folder) {
 Manifest begin_study(const StudyFolder& study, const fs::path& config, ExistingRun existing) {
   const fs::path path = study.folder / "manifest.json";
   const std::optional<Manifest> before = find_manifest(path);
-  const bool unknown = !before && has_results(study);
-  if (unknown || (before && before->config_hash != study.config_hash)) {
+  if (!before && has_results(study))
+    throw Error(ErrorKind::output, {{study.folder.string(), "holds results without a manifest that says of what", "",
+                                     "", "choose another folder with --out, or remove them by hand"}});
+  if (before && before->config_hash != study.config_hash) {
     if (existing == ExistingRun::keep)
-      throw Error(ErrorKind::output, {{study.folder.string(),
-                                       unknown ? "holds results without a manifest that says of what"
-                                               : "holds results of another configuration or of other data",
-                                       unknown ? "" : before->config_name, "",
-                                       "choose another folder with --out, or replace them with --force"}});
+      throw Error(ErrorKind::output,
+                  {{study.folder.string(), "holds results of another configuration or of other data",
+                    before->config_name, "", "choose another folder with --out, or replace them with --force"}});
     for (const std::string& name : study.results) remove_result(study.folder / name);
   }
   make_folder_with_config(study.folder, config);

@@ -49,9 +49,9 @@ void show(const ConfrontationConfig& config, const Confrontation& confrontation,
 }
 
 /// Before runs that would take hours.
-void require_folder_of(const fs::path& bank) {
-  const fs::path folder = fs::absolute(bank).parent_path();
-  if (!fs::is_directory(folder))
+void require_folder_of(const fs::path& bank, const fs::path& out) {
+  const fs::path folder = fs::absolute(bank).lexically_normal().parent_path();
+  if (!fs::is_directory(folder) && folder != (fs::absolute(out) / "").lexically_normal().parent_path())
     throw Error(ErrorKind::output, {{"--write-bank", "lies in no folder", bank.string(),
                                      "a file in a folder that exists", "create " + folder.string() + " first"}});
 }
@@ -98,7 +98,7 @@ int confront_command(const ConfrontCommandOptions& options) {
   if (options.session.quiet) set_log_echo(LogEcho::errors);
   const ConfrontationConfig config = read_confrontation(options.config, options.overrides);
   const fs::path out = options.out.value_or(default_run_folder(config.name));
-  if (options.write_bank) require_folder_of(*options.write_bank);
+  if (options.write_bank) require_folder_of(*options.write_bank, out);
   Manifest manifest = begin_study({out, config.name, confrontation_hash(config), kResults}, options.config,
                                   options.force ? ExistingRun::replace : ExistingRun::keep);
   try {

@@ -39,7 +39,8 @@ std::vector<Note> limits(const ConfrontationData& data) {
   }
   if (names.empty()) return {};
   const bool by_effects = data.shown["setting"]["linearised_at"].text() == "reference";
-  const char* remedy = by_effects ? "Take a nearer base: effects hold within four steps of a parameter."
+  const char* remedy = by_effects ? "Take a nearer base (effects hold within four steps of a parameter), or give it "
+                                    "more room where its own limits end before."
                                   : "Give it more room, or take a nearer base.";
   double worst = 0.0;
   for (const ShownSlot& slot : data.slots) worst = std::max(worst, std::abs(slot.z_base));
@@ -62,9 +63,10 @@ std::vector<Note> strengths_at_an_end(const ConfrontationData& data) {
       continue;
     notes.push_back(
         {html::NoticeKind::warning,
-         fmt::format("The strength of {} is the greatest that is sought, {} of the declared strong one (three times it, or "
-                     "where its parameters' ranges end). The true one may lie beyond.",
-                     mechanism_name(candidate->id), figures(amplitude))});
+         fmt::format(
+             "The strength of {} is the greatest that is sought, {} of the declared strong one (three times it, or "
+             "where its parameters' ranges end). The true one may lie beyond.",
+             mechanism_name(candidate->id), figures(amplitude))});
   }
   return notes;
 }

@@ -38,7 +38,7 @@ QuantityLimit limit_of(Quantity quantity) {
     case Quantity::ratio:
       break;
   }
-  return {"a ratio", 1e6, ""};
+  return {"such a number", 1e6, ""};
 }
 
 std::span<const UnitSuffix> unit_suffixes(Quantity quantity) {

@@ -52,6 +52,8 @@ void check_pointer(const std::string& pointer, const std::string& where, std::ve
                     hint ? key_hint(schema, pointer.substr(0, slash), pointer.substr(slash + 1)) : ""});
 }
 
+constexpr double kWidestStep = 3.0;  // over the way from lower to upper
+
 void check_range(const ConfrontationParameter& p, const std::string& where, std::vector<Fault>& faults) {
   if (p.lower >= p.upper) {
     faults.push_back({where + "/lower", "does not lie below upper", number_text(p.lower),
@@ -62,9 +64,11 @@ void check_range(const ConfrontationParameter& p, const std::string& where, std:
   } else if (p.transform == ParameterTransform::tangent && (p.lower < 0.0 || p.upper >= 90.0)) {
     faults.push_back({where + (p.lower < 0.0 ? "/lower" : "/upper"), "is no angle of friction",
                       number_text(p.lower < 0.0 ? p.lower : p.upper), "from 0, below 90 deg", ""});
-  } else if (const double width = theta_of(p.transform, p.upper) - theta_of(p.transform, p.lower); p.step > width) {
-    faults.push_back({where + "/step", "is wider than the way from lower to upper", number_text(p.step),
-                      "at most " + number_text(width), "a finite difference: of a logarithm 0.08 is 8 %"});
+  } else if (const double width = theta_of(p.transform, p.upper) - theta_of(p.transform, p.lower);
+             p.step > kWidestStep * width) {
+    faults.push_back({where + "/step", "is far wider than the way from lower to upper", number_text(p.step),
+                      "at most " + number_text(kWidestStep * width),
+                      "a finite difference: of a logarithm 0.08 is 8 %"});
   }
 }
 

@@ -57,8 +57,16 @@ std::string unit_hint(const ColumnKind& kind) {
   return "is the unit at the end of the column's name that of its numbers?";
 }
 
+/// How many rows count: a gauge on the specimen may go over its range once the specimen is broken.
+std::size_t rows_that_count(const Look& look, const ColumnKind& kind) {
+  const Curve& curve = look.curve.curve;
+  if (kind.member != &Curve::gauge_strain && kind.member != &Curve::lateral_strain) return curve.load.size();
+  return static_cast<std::size_t>(std::max_element(curve.load.begin(), curve.load.end()) - curve.load.begin()) + 1;
+}
+
 bool check_size(const Look& look, const ColumnKind& kind) {
-  const std::vector<double>& values = look.curve.curve.*(kind.member);
+  std::vector<double> values = look.curve.curve.*(kind.member);
+  values.resize(std::min(values.size(), rows_that_count(look, kind)));
   const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto largest = std::max_element(values.begin(), values.end(), by_size);
   const QuantityLimit limit = limit_of(kind.quantity);

@@ -19,11 +19,12 @@ struct Confusion {
   bool named_wrongly() const { return made != nullptr; }
 };
 
-/// Whether there are two tests of one kind that differ so.
+/// Whether there are two fitted tests of one kind that differ so.
 bool any_two(const MeasuredData& data, bool (*differ)(const MeasuredTest&, const MeasuredTest&)) {
   for (const MeasuredTest& a : data.tests) {
     for (const MeasuredTest& b : data.tests) {
-      if (a.experiment == b.experiment && differ(a, b)) return true;
+      const bool fitted = a.use != TestUse::hold_out && b.use != TestUse::hold_out;
+      if (fitted && a.experiment == b.experiment && differ(a, b)) return true;
     }
   }
   return false;
@@ -31,8 +32,9 @@ bool any_two(const MeasuredData& data, bool (*differ)(const MeasuredTest&, const
 
 bool cores_of_two_directions(const MeasuredData& data) {
   return any_two(data, [](const MeasuredTest& a, const MeasuredTest& b) {
-    constexpr double kTurned = 45.0;
-    return std::abs(a.preparation.core_angle_deg - b.preparation.core_angle_deg) >= kTurned;
+    constexpr double kTurned = 45.0, kHalfTurn = 180.0;
+    const double between = std::abs(a.preparation.core_angle_deg - b.preparation.core_angle_deg);
+    return std::min(between, kHalfTurn - between) >= kTurned;
   });
 }
 
@@ -92,6 +94,11 @@ std::vector<std::string> doubles_of(const std::string& id, const MeasuredData& d
 
 std::vector<std::string> tested_doubles_of(const std::string& id, const MeasuredData& data) {
   return named_wrongly(id, data, true);
+}
+
+bool is_made(const std::string& design, const MeasuredData& data) {
+  return std::any_of(std::begin(kConfusions), std::end(kConfusions),
+                     [&](const Confusion& c) { return c.design == design && c.named_wrongly() && c.made(data); });
 }
 
 bool decides(const std::string& design, const std::string& one, const std::string& other) {

@@ -13,6 +13,9 @@ std::vector<std::string> doubles_of(const std::string& id, const MeasuredData& d
 /// Those for which it made that test.
 std::vector<std::string> tested_doubles_of(const std::string& id, const MeasuredData& data);
 
+/// Whether the laboratory made that further test, and does not keep it back; false of those that part no doubles.
+bool is_made(const std::string& design, const MeasuredData& data);
+
 /// Whether that further test is one that tells these doubles apart.
 bool decides(const std::string& design, const std::string& one, const std::string& other);
 

@@ -40,11 +40,13 @@ std::vector<MechanismConfig> mechanisms_in(const TestDesign& design, const Measu
   return acting_in(preparation_of(design, parent), std::vector<MechanismConfig>{{candidate.id, amplitude, {}}});
 }
 
-/// Whether specimens of that experiment were prepared so already.
-bool is_prepared_so(const MeasuredData& data, const TestDesign& design, const MeasuredTest& parent) {
+/// Whether the laboratory has such specimens already, and does not keep their test back.
+bool has_such_specimens(const MeasuredData& data, const TestDesign& design, const MeasuredTest& parent) {
+  if (is_made(design.id, data)) return true;
   if (design.preparation == Preparation{}) return false;
   return std::any_of(data.tests.begin(), data.tests.end(), [&](const MeasuredTest& made) {
-    return made.experiment == parent.experiment && made.preparation == preparation_of(design, parent);
+    return made.use != TestUse::hold_out && made.experiment == parent.experiment &&
+           made.preparation == preparation_of(design, parent);
   });
 }
 
@@ -142,7 +144,7 @@ bool counts(const TestDesign& design, const Candidate& one, const Candidate& oth
 
 /// Sigma of Eq. (N18): of what was fitted as it was measured there, correlations and instruments included, else of so
 /// many specimens, each by itself; and of the meshes that were run.
-MatrixXd scatter_of(const Confrontation& c, const VectorXd& variance, const std::vector<Index>& rows) {
+MatrixXd further_scatter(const Confrontation& c, const VectorXd& variance, const std::vector<Index>& rows) {
   MatrixXd covariance = variance.asDiagonal();
   covariance /= kSpecimens;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -167,7 +169,7 @@ double distance(const Confrontation& c, const SimulatedDesign& design, std::size
   const std::vector<Index> rows = fitted_rows(c, parent, slots);
   const MatrixXd effects = parent_effects(c, rows);
   const Index parameters = effects.cols();
-  MatrixXd covariance = scatter_of(c, variances(parent, a, b, slots), rows);
+  MatrixXd covariance = further_scatter(c, variances(parent, a, b, slots), rows);
   for (const std::size_t cause : {k, l}) {
     const MatrixXd known = c.conclusion.kept[cause].covariance.topLeftCorner(parameters, parameters);
     covariance += effects * known * effects.transpose();
@@ -177,6 +179,15 @@ double distance(const Confrontation& c, const SimulatedDesign& design, std::size
 
 const Candidate& candidate_of(const Confrontation& c, std::size_t kept) {
   return c.evidence.candidates[static_cast<std::size_t>(c.conclusion.kept[kept].causes.front())];
+}
+
+bool counts_for_any(const TestDesign& design, const Confrontation& c, std::size_t causes) {
+  for (std::size_t k = 0; k < causes; ++k) {
+    for (std::size_t l = k + 1; l < causes; ++l) {
+      if (counts(design, candidate_of(c, k), candidate_of(c, l))) return true;
+    }
+  }
+  return false;
 }
 
 std::vector<SimulatedDesign> simulate_designs(const ConfrontationConfig& config, const ConfrontationTask& task,
@@ -190,11 +201,11 @@ std::vector<SimulatedDesign> simulate_designs(const ConfrontationConfig& config,
   };
   std::vector<SimulatedDesign> simulated;
   for (const TestDesign& design : test_designs()) {
-    if (!concerns(design.concerns)) continue;
+    if (!concerns(design.concerns) || !counts_for_any(design, c, causes)) continue;
     for (std::size_t t = 0; t < made.size(); ++t) {
       std::optional<RunConfig> run = design.change(made[t], made);
       if (!run || !cross_check(*run).empty() || has_all(design, c.evidence.tests[t])) continue;
-      if (is_prepared_so(config.measured, design, config.measured.tests[t])) break;
+      if (has_such_specimens(config.measured, design, config.measured.tests[t])) break;
       run->mechanisms = acting_in(design.preparation, run->mechanisms);
       SimulatedDesign s{&design, t, {}};
       for (std::size_t k = 0; k < causes; ++k)

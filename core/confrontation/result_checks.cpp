@@ -132,7 +132,7 @@ std::optional<Fault> value_fault(double value, const KnownResult& known, const s
     return Fault{"", "is too large for " + std::string(limit.word), "",
                  fmt::format("up to {:g}", limit.largest / known.factor), size_hint(known, key)};
   if (is_positive(*known.kind) && value <= 0.0)
-    return Fault{"", "cannot be 0 or below", "", "above 0", "compression is positive; null: not measured"};
+    return Fault{"", "cannot be 0 or below", "", "above 0", "its sign is that of what is measured; null: not measured"};
   if ((known.quantity == Quantity::count || is_drop(*known.kind)) && value < 0.0)
     return Fault{"", "cannot be below 0", "", "0 or more", "null: not measured"};
   if (is_no_share(known.kind->name, value))
@@ -158,18 +158,23 @@ void convert(std::vector<double>& values, const KnownResult& known, const std::s
   }
 }
 
-/// `count` specimens are expected: those of the curves, or of the results before.
-Fault count_fault(const std::string& place, std::size_t given, std::size_t count, bool has_curves) {
-  const std::string others = has_curves ? "the curves" : "the results before it";
-  return {place, "has another number of specimens than " + others, std::to_string(given), std::to_string(count),
-          "write null where a specimen has no value"};
+/// Values may be of more specimens than have a curve, the same in all results.
+std::optional<Fault> count_fault(const std::string& place, std::size_t given, std::size_t curves, std::size_t before) {
+  constexpr const char* kHint = "write null where a specimen has no value";
+  if (before != 0 && given != before)
+    return Fault{place, "has another number of specimens than the results before it", std::to_string(given),
+                 std::to_string(before), kHint};
+  if (given < curves)
+    return Fault{place, "has fewer specimens than the curves", std::to_string(given),
+                 std::to_string(curves) + " or more, those of the curves first", kHint};
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::vector<Fault> take_in_results(const json& given, const std::string& pointer, MeasuredTest& test) {
   std::vector<Fault> faults;
-  std::size_t count = test.curves.size();
+  std::size_t count = 0;
   if (!given.contains("results")) return faults;
   for (const auto& [key, value] : given.at("results").items()) {
     const std::string place = child_pointer(pointer + "/results", key);
@@ -183,8 +188,8 @@ std::vector<Fault> take_in_results(const json& given, const std::string& pointer
       faults.push_back({place, "is no list of numbers", json_text(value), "a number for each specimen, or null", ""});
       continue;
     }
+    if (auto fault = count_fault(place, values.size(), test.curves.size(), count)) faults.push_back(*std::move(fault));
     if (count == 0) count = values.size();
-    if (values.size() != count) faults.push_back(count_fault(place, values.size(), count, !test.curves.empty()));
     convert(values, *known, key, place, faults);
     if (!test.results.emplace(known->kind->name, std::move(values)).second) {
       faults.push_back({place, "is given twice, in two units", key, "one of them", ""});

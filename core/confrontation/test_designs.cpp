@@ -13,7 +13,7 @@ using Changed = std::optional<RunConfig>;
 constexpr double kSlower = 0.25, kPressure = 2.0, kSize = 0.5;
 constexpr double kUnloadAt = 0.3;  // of the closure at which the test ends
 constexpr double kUnloadTo = 0.1;  // of the stress there
-constexpr double kSameSlenderness = 0.1, kSameSize = 1.1;
+constexpr double kSameSlenderness = 0.1, kSameRate = 1.1;
 
 bool uniaxial(Made run) { return run.experiment.type == ExperimentType::uniaxial; }
 
@@ -50,8 +50,11 @@ Changed with_loop(Made made, All all) {
   return run;
 }
 
-Changed slower(Made made, All) {
+Changed slower(Made made, All all) {
   if (!uniaxial(made)) return std::nullopt;
+  const double rate = kSameRate * kSlower * made.experiment.loading.closing_rate_mm_per_s;
+  const auto as_slow = [&](Made run) { return uniaxial(run) && run.experiment.loading.closing_rate_mm_per_s <= rate; };
+  if (std::any_of(all.begin(), all.end(), as_slow)) return std::nullopt;
   RunConfig run = made;
   run.experiment.loading.closing_rate_mm_per_s *= kSlower;
   return run;
@@ -67,12 +70,8 @@ Changed at_twice_the_pressure(Made made, All all) {
   return run;
 }
 
-Changed at_half_size(Made made, All all) {
+Changed at_half_size(Made made, All) {
   if (!uniaxial(made)) return std::nullopt;
-  const auto as_small = [&](Made run) {
-    return uniaxial(run) && run.experiment.width_mm <= kSameSize * kSize * made.experiment.width_mm;
-  };
-  if (std::any_of(all.begin(), all.end(), as_small)) return std::nullopt;
   RunConfig run = made;
   run.experiment.width_mm *= kSize;
   run.experiment.height_mm *= kSize;

@@ -202,10 +202,10 @@ CsvData parse_csv(std::string_view bytes, const std::filesystem::path& name) {
     const std::string_view line = trimmed(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     ++number;
+    if (line.empty() || line.front() == '#') continue;
     if (!is_utf8(line))
       throw data_error(name, number,
                        {"", "is no UTF-8 text", shown(line), "", "save the file as UTF-8 (\"CSV UTF-8\")"});
-    if (line.empty() || line.front() == '#') continue;
     if (data.names_.empty()) require_commas(name, number, line);
     std::vector<std::string> cells;
     const std::string_view wrong = split(line, cells);

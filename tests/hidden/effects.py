@@ -84,9 +84,10 @@ class Effects:
         """`prepared`: what a test's keys say of its specimens that a run has no key for."""
         kind = config["experiment"]["type"]
         entries = [entry for id, amplitude in self.mechanisms if kind in self.acts_in[id] for entry in acting(id, amplitude, prepared)]
-        own = {entry["type"] for entry in config.get("mechanisms", [])}
+        if entries and config.get("mechanisms"):
+            raise RuntimeError("the base has mechanisms of its own, beside which nothing is hidden")
         if entries:
-            config["mechanisms"] = config.get("mechanisms", []) + [entry for entry in entries if entry["type"] not in own]
+            config["mechanisms"] = entries
         outside = OUTSIDE[self.outside].on_config if self.outside else None
         if outside:
             outside(config)

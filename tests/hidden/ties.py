@@ -53,11 +53,11 @@ CHANGES = {
 }
 
 
-def further_test(base, made, entry):
-    """The further test that a verdict asks for as a test of this laboratory, and its settings. `made`: its tests by id."""
+def further_test(base, made, entry, settings_of_parent):
+    """The further test that a verdict asks for, and its settings, with those of the test it is made like. `made`: the laboratory's tests by id."""
     parent = made[entry["changes"]]
     test = further(parent, **CHANGES[entry["id"]](parent.keys))
-    settings = settings_of(base, parent, entry["id"])
+    settings = settings_of_parent | settings_of(base, parent, entry["id"])
     return dataclasses.replace(test, pointers=test.pointers | settings), settings
 
 
@@ -97,7 +97,7 @@ def settle(base, pool, confronter, plan, draw, row, work):
         entry = chosen_design(verdict)
         if entry is None:
             break
-        test, own = further_test(base, made, entry)
+        test, own = further_test(base, made, entry, settings.get(entry["changes"], {}).get("set", {}))
         test = made[f"N{number}"] = dataclasses.replace(test, id=f"N{number}")
         settings[test.id] = {"set": own}
         path = with_the_test(base, pool, plan, draw, path, work / f"with{number}", test)

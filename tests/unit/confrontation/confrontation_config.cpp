@@ -177,7 +177,7 @@ TEST_CASE("what a parameter cannot be is told at its pointer") {
   check_fault(with("tied", {"/contacts/cohesion"}), "/parameters/0/tied/0", "is no microparameter");
   check_fault(with("tied", {"/contacts/cohesion_mpa"}), "/parameters/0/tied", "moves already");
   check_fault(with("pointer", "/contacts/~x"), "/parameters/0/pointer", "is no microparameter");
-  check_fault(with("step", 10), "/parameters/0/step", "wider than the way from lower to upper");
+  check_fault(with("step", 10), "/parameters/0/step", "far wider than the way from lower to upper");
   const std::vector<Fault> derived = with("tied", {"/contacts/shear_stiffness_mpa_per_mm"});
   REQUIRE(derived.size() == 4);
   CHECK(derived[0].where == "/parameters/0/tied/0");

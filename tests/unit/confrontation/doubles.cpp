@@ -149,6 +149,15 @@ TEST_CASE("doubles are none where the laboratory made the test that tells them a
   both_sizes.tests = {straight, small};
   CHECK(tested_doubles_of("initial_defects", both_sizes) == Names{"strength_scatter", "mesh_size"});
   CHECK(tested_doubles_of("weak_plane", both_sizes).empty());
+  MeasuredTest kept_back = turned, same_line = turned;
+  kept_back.use = TestUse::hold_out;
+  same_line.preparation.core_angle_deg = -90.0;
+  CHECK(of("weak_plane", kept_back) == Names{"strength_scatter"});
+  MeasuredData one_line;
+  one_line.tests = {turned, same_line};
+  CHECK(!is_made("rotated_core", one_line));
+  CHECK(is_made("half_size", both_sizes));
+  CHECK(!is_made("seating", both_sizes));
   CHECK(decides("rotated_core", "weak_plane", "strength_scatter"));
   CHECK(!decides("half_size", "weak_plane", "strength_scatter"));
   CHECK(decides("half_size", "initial_defects", "mesh_size"));

@@ -64,7 +64,7 @@ TEST_CASE("a result that cannot be is one clear error at its pointer") {
       {"uniaxial", "peak_axial_stress_gpa", 1.1e3, "too large for a stress"},
       {"uniaxial", "residual_axial_stress_mpa", -1.1e6, "too large for a stress"},
       {"uniaxial", "axial_modulus_mpa", 1.1e7, "too large for a modulus"},
-      {"uniaxial", "poissons_ratio", 1e200, "too large for a ratio"},
+      {"uniaxial", "poissons_ratio", 1e200, "too large for such a number"},
       {"uniaxial", "drop_share", 30.0, "is no share"},
       {"uniaxial", "event_share_at_half", -0.1, "is no share"},
       {"uniaxial", "toe_extent_share", 20.0, "is no share"},
@@ -139,9 +139,13 @@ TEST_CASE("results are as many as the curves' specimens") {
              triangle("specimen,axial_strain,axial_stress_mpa", 0.01, 1.0, "A,") + triangle("# B", 0.01, 1.0, "B,"));
   json document = uniaxial("c.csv");
   document["tests"][0]["results"]["youngs_modulus_gpa"] = 1.3;
-  check_one(faults_of(folder, document), "/results/youngs_modulus_gpa", "another number of specimens than the curves");
-  document["tests"][0]["results"]["youngs_modulus_gpa"] = {1.3, nullptr};
-  CHECK(faults_of(folder, document).empty());
+  check_one(faults_of(folder, document), "/results/youngs_modulus_gpa", "fewer specimens than the curves");
+  for (const json& values : {json{1.3, nullptr}, json{1.3, 1.2, 1.4}}) {
+    document["tests"][0]["results"]["youngs_modulus_gpa"] = values;
+    CHECK(faults_of(folder, document).empty());
+  }
+  document["tests"][0]["results"]["poissons_ratio"] = {0.2, 0.3};
+  check_one(faults_of(folder, document), "/results/youngs_modulus_gpa", "than the results before it");
 }
 
 TEST_CASE("a reading that no instrument gives is one clear error") {
@@ -165,6 +169,13 @@ TEST_CASE("a reading that no instrument gives is one clear error") {
     folder.put("c.csv", bad.text);
     check_one(faults_of(folder, with_curve(bad.experiment)), bad.where, bad.what);
   }
+}
+
+TEST_CASE("a gauge may go over its range once the specimen is broken") {
+  const Folder folder("over_range");
+  folder.put("c.csv",
+             triangle("axial_strain,axial_stress_mpa,lateral_strain", 0.01, 1.0, "", ",0.001") + "0.021,0.1,0.9\n");
+  CHECK(faults_of(folder, with_curve("uniaxial")).empty());
 }
 
 TEST_CASE("a gauge's percentage under the wrong name is told once") {

@@ -55,11 +55,11 @@ TEST_CASE("twice the confining pressure is that of the highest one") {
 }
 
 TEST_CASE("size, rate and the joint's stiffness") {
-  const auto half = design("half_size").change(kTall, {kTall});
-  CHECK(half->experiment.width_mm == 25);
-  CHECK(!design("half_size").change(kTall, {kTall, *half}));
+  CHECK(design("half_size").change(kTall, {kTall})->experiment.width_mm == 25);
   CHECK(design("slower_rate").change(kTall, {kTall})->experiment.loading.closing_rate_mm_per_s ==
         Approx(0.25 * kTall.experiment.loading.closing_rate_mm_per_s));
+  const auto slow = design("slower_rate").change(kTall, {kTall});
+  CHECK(!design("slower_rate").change(kTall, {kTall, *slow}));
   RunConfig joint;
   joint.experiment.type = ExperimentType::direct_shear;
   CHECK(design("constant_normal_stiffness").change(joint, {joint})->mechanisms.size() == 1);

@@ -151,6 +151,10 @@ TEST_CASE("text that is not UTF-8 is refused at its line") {
                               "f,x\n",
                               "data.csv"),
                     Catch::Contains("(found Pr\\xfcf,x)"));
+  CHECK(parse_csv("# 20 \xb0"
+                  "C\nx_mm\n1\n",
+                  "data.csv")
+            .rows() == 1);
   const CsvData data = parse_csv(
       "name\nPr\xc3\xbc"
       "f\n\xed\x9f\xbf\n\xe2\x82\xac\n\xf4\x8f\xbf\xbf\n",
