@@ -74,10 +74,15 @@ Samples simulate(const ConfrontationConfig& config, const ConfrontationTask& tas
 
 bool is_measured(const TestEvidence& test, Index slot) { return test.measured.col(slot).array().isFinite().any(); }
 
-bool adds(const TestDesign& design, const TestEvidence& test, Index slot) {
-  const auto& records = design.records;
-  const std::string_view name = test.slots[static_cast<std::size_t>(slot)].kind->name;
-  return std::find(records.begin(), records.end(), name) != records.end();
+std::string_view name_of(const TestEvidence& test, Index slot) {
+  return test.slots[static_cast<std::size_t>(slot)].kind->name;
+}
+
+/// What the design says of a feature that it adds; null of others.
+const AddedFeature* added(const TestDesign& design, const TestEvidence& test, Index slot) {
+  const auto found = std::find_if(design.records.begin(), design.records.end(),
+                                  [&](const AddedFeature& f) { return f.name == name_of(test, slot); });
+  return found == design.records.end() ? nullptr : &*found;
 }
 
 /// Slots that this laboratory would have of the test, and that every run of both causes gives.
@@ -85,7 +90,7 @@ std::vector<Index> common_slots(const TestDesign& design, const TestEvidence& pa
                                 const Samples& b) {
   std::vector<Index> slots;
   for (Index s = 0; s < a.cols(); ++s) {
-    const bool recorded = is_measured(parent, s) || adds(design, parent, s);
+    const bool recorded = is_measured(parent, s) || added(design, parent, s);
     if (recorded && a.col(s).allFinite() && b.col(s).allFinite()) slots.push_back(s);
   }
   return slots;
@@ -95,7 +100,7 @@ std::vector<Index> common_slots(const TestDesign& design, const TestEvidence& pa
 bool has_all(const TestDesign& design, const TestEvidence& made) {
   if (design.records.empty()) return false;
   for (Index s = 0; s < made.measured.cols(); ++s) {
-    if (adds(design, made, s) && !is_measured(made, s)) return false;
+    if (added(design, made, s) && !is_measured(made, s)) return false;
   }
   return true;
 }
@@ -142,15 +147,27 @@ bool counts(const TestDesign& design, const Candidate& one, const Candidate& oth
   return !doubled || decides(design.id, one.id, other.id);
 }
 
+/// Variance of what was measured of the feature that is read like an added one; 0 where that was not fitted.
+double variance_of_like(const Confrontation& c, const TestDesign& design, const TestEvidence& parent, Index slot) {
+  const AddedFeature* feature = added(design, parent, slot);
+  for (Index s = 0; feature && s < static_cast<Index>(parent.slots.size()); ++s) {
+    const Index row = name_of(parent, s) == feature->like ? fitted_rows(c, parent, {s}).front() : -1;
+    if (row >= 0) return c.scatter.covariance(row, row);
+  }
+  return 0.0;
+}
+
 /// Sigma of Eq. (N18): of what was fitted as it was measured there, correlations and instruments included, else of so
-/// many specimens, each by itself; and of the meshes that were run.
-MatrixXd further_scatter(const Confrontation& c, const VectorXd& variance, const std::vector<Index>& rows) {
+/// many specimens, each by itself, no better than what is read like it; and of the meshes that were run.
+MatrixXd further_scatter(const Confrontation& c, const TestDesign& design, const TestEvidence& parent,
+                         const VectorXd& variance, const std::vector<Index>& slots, const std::vector<Index>& rows) {
   MatrixXd covariance = variance.asDiagonal();
   covariance /= kSpecimens;
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto at = static_cast<Index>(i);
+    if (rows[i] < 0) covariance(at, at) = std::max(covariance(at, at), variance_of_like(c, design, parent, slots[i]));
     for (std::size_t j = 0; j < rows.size(); ++j) {
-      if (rows[i] >= 0 && rows[j] >= 0)
-        covariance(static_cast<Index>(i), static_cast<Index>(j)) = c.scatter.covariance(rows[i], rows[j]);
+      if (rows[i] >= 0 && rows[j] >= 0) covariance(at, static_cast<Index>(j)) = c.scatter.covariance(rows[i], rows[j]);
     }
   }
   covariance.diagonal() += variance / static_cast<double>(kMeshes);
@@ -169,7 +186,7 @@ double distance(const Confrontation& c, const SimulatedDesign& design, std::size
   const std::vector<Index> rows = fitted_rows(c, parent, slots);
   const MatrixXd effects = parent_effects(c, rows);
   const Index parameters = effects.cols();
-  MatrixXd covariance = further_scatter(c, variances(parent, a, b, slots), rows);
+  MatrixXd covariance = further_scatter(c, *design.design, parent, variances(parent, a, b, slots), slots, rows);
   for (const std::size_t cause : {k, l}) {
     const MatrixXd known = c.conclusion.kept[cause].covariance.topLeftCorner(parameters, parameters);
     covariance += effects * known * effects.transpose();

@@ -16,7 +16,7 @@ struct Preparation {
 /// One after the other: angles add up, a right angle either way.
 Preparation both(const Preparation& first, const Preparation& second);
 
-/// The mechanism in a test with such specimens: a weak plane, Eq. (X11) of core/mechanism, lies at its angle less the
+/// The mechanism in a test with such specimens: a weak plane lies at its angle less the
 /// core's, and there is no platen friction (nothing) where platens are lubricated.
 std::optional<MechanismConfig> acting_in(const Preparation& preparation, MechanismConfig mechanism);
 

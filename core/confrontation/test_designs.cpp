@@ -115,7 +115,9 @@ const std::vector<TestDesign>& test_designs() {
        "",
        "",
        {},
-       {"reload_toe_travel_strain", "reload_toe_travel_mm", "permanent_strain"}},
+       {{"reload_toe_travel_strain", "toe_travel_strain"},
+        {"reload_toe_travel_mm", "toe_travel_mm"},
+        {"permanent_strain", "toe_travel_strain"}}},
       {"slower_rate", "uniaxial compression at a quarter of the rate", slower, "", ""},
       {"twice_confining_pressure", "triaxial compression at twice the highest confining pressure",
        at_twice_the_pressure, "", ""},
@@ -133,7 +135,7 @@ const std::vector<TestDesign>& test_designs() {
        "",
        "",
        {},
-       {"dilation_difference_at_peak_mm"}},
+       {{"dilation_difference_at_peak_mm", "peak_dilation_mm"}}},
       {"half_size", "uniaxial compression of specimens of half the size", at_half_size, "", ""}};
   return designs;
 }

@@ -9,6 +9,11 @@
 
 namespace asperity {
 
+/// A feature that only the further test gives, and one of the made test that is read in the same way.
+struct AddedFeature {
+  std::string name, like;
+};
+
 /// A further test that a laboratory could make, as a change of one it has made.
 struct TestDesign {
   std::string id, description;
@@ -17,7 +22,7 @@ struct TestDesign {
   std::string concerns;          ///< A mechanism without which among the causes the test tells nothing; empty: none.
   std::string switches_off;      ///< A mechanism that the test rules out; empty: none.
   Preparation preparation = {};  ///< Of its specimens, beyond that of the test it changes.
-  std::vector<std::string> records = {};  ///< Features that the test gives beyond those of the test it changes.
+  std::vector<AddedFeature> records = {};  ///< Features that the test gives beyond those of the test it changes.
 };
 
 /// Those the method declares: lubricated platens, H/D 1 and 3, unload-reload, another rate, twice the confining

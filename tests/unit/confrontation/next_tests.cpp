@@ -18,7 +18,7 @@ constexpr const char* kFirst = "crack_closure";
 constexpr const char* kSecond = "frame_compliance";
 constexpr double kScatter = 0.03;          // of a mesh, either way: of four meshes the variance is 4/3 of its square
 constexpr double kTriaxialPressure = 1.0;  // MPa, of the made test
-constexpr std::size_t kTriaxial = 1;       // its number
+constexpr std::size_t kTriaxial = 1, kJoint = 3;
 constexpr double kFirstAmplitude = 0.7, kSecondAmplitude = 0.9;
 
 /// Standard deviation of a difference of means, Eq. (N18): sqrt((1/5 + 1/4) 4/3) of the mesh's scatter.
@@ -46,7 +46,7 @@ HypothesisFit kept(Index cause, double amplitude, Index parameters) {
 /// Two causes that the data leave; their strengths differ by `apart` above the pressure that was tested, nowhere else.
 struct TwoCauses {
   ConfrontationConfig config;
-  double apart = 0;
+  double apart = 0, joint_apart = 0;
   std::vector<CampaignRun> asked;
   ConfrontationTask task;
   Confrontation c;
@@ -72,11 +72,18 @@ struct TwoCauses {
   RunFeatureValues features(const RunConfig& run) const {
     double logarithm = run.particles.seed % 2 == 0 ? kScatter : -kScatter;
     const bool pressed = run.experiment.confining_pressure_mpa > 1.5 * kTriaxialPressure;
-    if (pressed && run.mechanisms.back().type == kFirst) logarithm += apart;
+    const bool first = !run.mechanisms.empty() && run.mechanisms.back().type == kFirst;
+    if (pressed && first) logarithm += apart;
+    if (run.experiment.type == ExperimentType::direct_shear && first) logarithm += joint_apart;
     return RunFeatureValues(feature_kinds(run.experiment.type).size(), std::exp(logarithm));
   }
 
   std::vector<NextTest> tests() { return next_tests(config, task, c); }
+
+  double distance_of(const std::string& id) {
+    const std::vector<NextTest> all = tests();
+    return std::find_if(all.begin(), all.end(), [&](const NextTest& t) { return t.id == id; })->distance;
+  }
 
   bool proposes(const std::string& id) {
     const std::vector<NextTest> all = tests();
@@ -107,6 +114,19 @@ TEST_CASE("gauges of a joint's dilation are proposed where it had none") {
   const json gauges{{"dilation_difference_at_peak_mm", json::array({0.1})}};
   CHECK(TwoCauses("next_tests_no_gauges", 0.0).proposes("dilation_gauges"));
   CHECK(!TwoCauses("next_tests_gauges", 0.0, gauges).proposes("dilation_gauges"));
+}
+
+TEST_CASE("what the further test alone gives is known no better than what is read like it") {
+  TwoCauses causes("next_tests_like", 0.0);
+  causes.joint_apart = 2.0 * kDeviation;
+  CHECK(causes.distance_of("dilation_gauges") == Approx(2.0 * std::sqrt(2.0)).epsilon(0.05));  // with the shear stress
+  const TestEvidence& joint = causes.c.evidence.tests[kJoint];
+  Index slot = 0;
+  while (joint.slots[static_cast<std::size_t>(slot)].kind->name != "peak_dilation_mm") ++slot;
+  causes.c.fitted.tests.push_back({&joint, {slot}, 0, {}, 0});
+  causes.c.fitted.jacobian = MatrixXd::Zero(1, causes.c.fitted.jacobian.cols());
+  causes.c.scatter.covariance = MatrixXd::Constant(1, 1, 100.0);
+  CHECK(causes.distance_of("dilation_gauges") == Approx(2.0).epsilon(0.05));
 }
 
 TEST_CASE("each cause is run with its own amplitude and parameters on the same four meshes") {
